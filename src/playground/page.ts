@@ -12,6 +12,7 @@ import { wirePage } from './game/wiring';
 import { openSceneView, watchContext } from './view/graphics';
 import { watchMargins } from './view/margins';
 import { createResolution } from './view/resolution';
+import { startWorker } from './server/connection';
 import { steerCamera } from './input/pointer';
 
 /** Shown from the page's opening until its first picture, unless there is another message. */
@@ -28,6 +29,8 @@ export function begin(document: Document, program: string): void {
   const { choices, complaints } = readChoices(query);
   if (complaints.length > 0) notice.show(invalidText(complaints));
   const store = storeOf(window);
+  // Before the scene: while that is created, the worker loads.
+  const worker = choices.server === '' ? startWorker(program, () => undefined) : null;
   const isFine = choices.picture === 'fine';
   const sceneView = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.show);
   sceneView?.translucent.add(GHOST_SHIP);
@@ -35,6 +38,7 @@ export function begin(document: Document, program: string): void {
     document,
     window,
     program,
+    worker,
     part,
     canvas,
     sceneView,

@@ -3,7 +3,7 @@ import type { WorldView } from '../../prediction';
 import type { PendingMessage } from '../../wire';
 import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../scenarios';
 import type { Choices } from '../panels/choices';
-import { type Connection, type ConnectionHandlers, openWorker } from '../server/connection';
+import type { Connection, ConnectionHandlers } from '../server/connection';
 import { deferConnection } from '../server/deferred';
 import type { LoadOperation, Operation } from '../server/operation';
 import { isRealServer, TAB_ADDRESS } from '../server/tabAddress';
@@ -64,9 +64,9 @@ export function upNetworkOf(choices: Choices): NetworkNumbers | undefined {
   });
 }
 
-/** @param program address of the page's own main module, which the worker runs too */
-export function createLive(program: string, listeners: LiveListeners): Live {
-  const state = createLiveState(program, listeners);
+/** @param program address of the page's own main module, which the worker runs too; `worker` may run it already */
+export function createLive(program: string, listeners: LiveListeners, worker?: Worker | null): Live {
+  const state = createLiveState(program, listeners, worker ?? null);
   const { clock, flightControls, baseline, runHash } = state;
   return {
     clock,
@@ -182,9 +182,9 @@ function loadOf(choices: Choices, { plan, tickRate, timeScale }: Script): LoadOp
 }
 
 function connect(state: LiveState, name: string): Connection {
-  const { address, program, listeners } = state;
+  const { address, listeners } = state;
   const handlers = handlersOf(state);
-  if (address === '') return openWorker(program, handlers);
+  if (address === '') return state.openBuiltIn(handlers);
   return deferConnection(openRemote(address, name, handlers), () =>
     listeners.onState('Part of the page did not load. Check the network and reload.'),
   );
@@ -215,11 +215,11 @@ function handlersOf(state: LiveState): ConnectionHandlers {
       }
       listeners.onState('');
     },
-    onPending(message) {
+    onPending(message, bytes) {
       const at = clock.now();
       const tapped = tap.wrap(
         message,
-        (taken) => noteMessage(state, taken, at),
+        (taken, isAsSent) => noteMessage(state, taken, at, isAsSent ? bytes : undefined),
         () => hashSuperseded(state, message),
       );
       state.predictor.receivePending(tapped, at);

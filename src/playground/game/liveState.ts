@@ -2,7 +2,7 @@ import { flatTerrain, TERRAINS } from '../../dynamics';
 import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
 import type { RecordingEntry, RunInput, ScheduledInput } from '../../scenarios';
 import type { PartialFrame, ServerMessage } from '../../wire';
-import type { Connection, ShipLoss } from '../server/connection';
+import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import { type Baseline, createBaseline } from './baseline';
 import { createFlightControls, type FlightControls } from './flightControls';
 import { createRunHash, type RunHash } from './mission/runHash';
@@ -18,8 +18,8 @@ export interface LiveListeners {
   readonly onWorld: (plan: readonly ScheduledInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
-  /** Everything that goes through the predictor, in its order. */
-  readonly onEntry: (entry: RecordingEntry) => void;
+  /** Everything that goes through the predictor, in its order; `bytes`: of a message that is recorded as it was sent. */
+  readonly onEntry: (entry: RecordingEntry, bytes?: Uint8Array) => void;
   /** A real server reports that the player's ship was destroyed. */
   readonly onLost: (ship: ShipLoss) => void;
   /** The inputs that acted on the player's ship, as requested by { kind: 'run' }. */
@@ -30,8 +30,8 @@ export interface LiveListeners {
 
 /** State of a live game between frames. */
 export interface LiveState {
-  /** Address of the page's own main module, which the worker runs too. */
-  readonly program: string;
+  /** Opens the built-in server. */
+  readonly openBuiltIn: (handlers: ConnectionHandlers) => Connection;
   readonly listeners: LiveListeners;
   readonly clock: PageClock;
   readonly flightControls: FlightControls;
@@ -60,11 +60,11 @@ export interface LiveState {
   view: WorldView;
 }
 
-export function createLiveState(program: string, listeners: LiveListeners): LiveState {
+export function createLiveState(program: string, listeners: LiveListeners, worker: Worker | null): LiveState {
   const clock = createPageClock(() => performance.now() / 1000);
   const predictor = newPredictor(null, listeners);
   const state: LiveState = {
-    program,
+    openBuiltIn: builtIn(program, worker),
     listeners,
     clock,
     flightControls: createFlightControls(
@@ -90,6 +90,16 @@ export function createLiveState(program: string, listeners: LiveListeners): Live
   return state;
 }
 
+/** Opens the built-in server with the worker that runs already, the first time. */
+function builtIn(program: string, worker: Worker | null): LiveState['openBuiltIn'] {
+  let begun = worker;
+  return (handlers) => {
+    const connection = openWorker(program, handlers, begun);
+    begun = null;
+    return connection;
+  };
+}
+
 function newPredictor(script: Script | null, { onEvent }: LiveListeners): Predictor {
   const predictor = createPredictor({ ownShipId: 'own', plan: script?.plan ?? [] });
   predictor.onEvent(onEvent);
@@ -108,8 +118,13 @@ export function forgetWorld(state: LiveState): void {
 }
 
 /** Notes a message that the predictor has just taken; `at`: page clock s of its arrival. */
-export function noteMessage(state: LiveState, message: ServerMessage | PartialFrame, at: number): void {
-  state.listeners.onEntry({ kind: 'received', at, message });
+export function noteMessage(
+  state: LiveState,
+  message: ServerMessage | PartialFrame,
+  at: number,
+  bytes?: Uint8Array,
+): void {
+  state.listeners.onEntry({ kind: 'received', at, message }, bytes);
   if (message.kind !== 'frame') return;
   state.baseline.take(message, at);
   state.runHash.take(message);

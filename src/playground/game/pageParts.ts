@@ -13,6 +13,8 @@ export interface Page {
   readonly window: Window & typeof globalThis;
   /** Address of the main module, which the worker runs too. */
   readonly program: string;
+  /** The built-in server, if the page begins with it. */
+  readonly worker: Worker | null;
   readonly part: (id: string) => HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly sceneView: SceneView | null;

@@ -5,10 +5,10 @@ const MAX_EVENTS = 1000;
 
 /** Wraps pending messages so that those which the predictor decodes are also recorded, hashed and drawn from. */
 export interface PendingTap {
-  /** `took` a decoded message; `passed` over a superseded frame. */
+  /** `took` a decoded message, as it was sent or with superseded frames' events; `passed` over a superseded frame. */
   readonly wrap: (
     message: PendingMessage,
-    took: (message: ServerMessage) => void,
+    took: (message: ServerMessage, isAsSent: boolean) => void,
     passed: () => void,
   ) => PendingMessage;
   readonly clear: () => void;
@@ -34,8 +34,8 @@ export function createPendingTap(): PendingTap {
         const decoded = message.decode();
         if (!decoded.ok) return decoded;
         const { value } = decoded;
-        if (value.kind !== 'frame' || superseded.length === 0) took(value);
-        else took({ ...value, events: [...superseded.splice(0), ...value.events] });
+        if (value.kind !== 'frame' || superseded.length === 0) took(value, true);
+        else took({ ...value, events: [...superseded.splice(0), ...value.events] }, false);
         return decoded;
       },
     }),

@@ -13,6 +13,7 @@ import { keyCapOf, wireCockpit } from './texts/controlTexts';
 import { placeName } from './texts/placeName';
 import type { FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
+import type { LiveListeners } from './liveState';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
 import type { Parts } from './parts';
@@ -48,8 +49,8 @@ export function wirePage(page: Page): Parts {
   return parts;
 }
 
-function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
-  return createLive(program, {
+function wireLive({ program, worker, banner, notice }: Page, parts: Parts): Live {
+  const listeners: LiveListeners = {
     onState: banner.state,
     onRefused: (reason) => notice.show(`The server refused: ${reason}.`),
     onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed on ${placeName(body)}.`),
@@ -60,12 +61,13 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
       parts.cockpit.forget();
       parts.game.begin();
     },
-    onEntry: (entry) => parts.recording.recorder.take(entry),
+    onEntry: (entry, bytes) => parts.recording.recorder.take(entry, bytes),
     onRun(inputs) {
       if (!parts.flightLink.take(inputs)) parts.game.onRun(inputs);
     },
     onScenario: (scenario, terrain) => parts.chooser.follow(scenario, terrain),
-  });
+  };
+  return createLive(program, listeners, worker);
 }
 
 function wireRecording({ query, notice, banner }: Page, parts: Parts): RecordingView {

@@ -16,7 +16,8 @@ const LEFT = 0.9;
 
 /** Records the predictor's input, bounded in bytes: the oldest entries are dropped first. */
 export interface Recorder {
-  readonly take: (entry: RecordingEntry) => void;
+  /** `bytes`: of a received message, if it is exactly what they decode to. */
+  readonly take: (entry: RecordingEntry, bytes?: Uint8Array) => void;
   /** A new world, and the scheduled inputs of the player's ship in it. */
   readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
@@ -69,16 +70,15 @@ export function createRecorder(): Recorder {
     if (!isHeld) controls = entry.controls;
     push({ ...entry, controls: controls ?? null }, ENTRY_BYTES + (isHeld ? 0 : CONTROLS_BYTES));
   };
-  const takeFrame = (at: number, frame: ServerFrame) => {
-    const packed = encodeServerMessage(frame);
+  const takeFrame = (at: number, packed: Uint8Array) => {
     push({ kind: 'packed', at, bytes: packed }, PACKED_BYTES + packed.length);
   };
 
   return {
-    take(entry) {
+    take(entry, bytes) {
       if (entry.kind === 'advanced') takeControls(entry);
       else if (entry.kind === 'received' && entry.message.kind === 'frame' && isWhole(entry.message))
-        takeFrame(entry.at, entry.message);
+        takeFrame(entry.at, bytes ?? encodeServerMessage(entry.message));
       else push(entry, bytesOf(entry));
     },
     begin(next) {

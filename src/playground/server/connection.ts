@@ -33,8 +33,8 @@ export interface Connection {
 export interface ConnectionHandlers {
   /** A connection is open: after loading a new world, or a reconnect. Its messages come after this. */
   readonly onOpen: (what: 'world' | 'again') => void;
-  /** A message of the server, not decoded yet: a frame that a newer one supersedes need not be. */
-  readonly onPending: (message: PendingMessage) => void;
+  /** A message of the server, not decoded yet: a frame that a newer one supersedes need not be. `bytes`: exactly these. */
+  readonly onPending: (message: PendingMessage, bytes?: Uint8Array) => void;
   /** A checked frame of a server that speaks JSON. */
   readonly onFrame: (frame: PartialFrame) => void;
   /** The worker's server has gone. */
@@ -73,13 +73,20 @@ export type FromServer =
   | { readonly kind: 'refused'; readonly reason: string }
   | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
-/** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is asked to load one. */
-export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
+/**
+ * The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is asked to load one.
+ * @param begun a worker that was started in this task; null: one is started
+ */
+export function openWorker(
+  program: string,
+  handlers: ConnectionHandlers,
+  begun: Worker | null = null,
+): Connection {
   const failed = (why: string) =>
     handlers.onClosed(
       `the built-in server failed (${why}); reload the page, or use a browser that runs module workers`,
     );
-  const worker = startWorker(program, failed);
+  const worker = begun ?? startWorker(program, failed);
   const post = (message: ToServer) => worker?.postMessage(message);
   if (worker !== null) {
     worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
@@ -95,7 +102,8 @@ export function openWorker(program: string, handlers: ConnectionHandlers): Conne
   };
 }
 
-function startWorker(program: string, failed: (why: string) => void): Worker | null {
+/** Starts the server's program; null, with the reason to `failed`, where the browser does not. */
+export function startWorker(program: string, failed: (why: string) => void): Worker | null {
   try {
     return new Worker(scriptUrl(program), { type: 'module' });
   } catch (error) {
@@ -110,7 +118,7 @@ function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
       handlers.onOpen(message.what);
       break;
     case 'bytes':
-      handlers.onPending(pendingServerMessage(message.bytes));
+      handlers.onPending(pendingServerMessage(message.bytes), message.bytes);
       break;
     case 'closed':
       handlers.onClosed(message.reason);

@@ -11,6 +11,7 @@ import {
   SCENARIOS,
   writeRecording,
 } from '../../../src/scenarios';
+import { decodeServerMessage } from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 import { type Game, open, useGameClock } from './openGame';
 
@@ -209,6 +210,15 @@ describe('a pause', () => {
     play(60, 5);
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });
+});
+
+it('hands the recording each frame’s own bytes', () => {
+  const { entries, sent, play } = open({ scenario: 'first-landing' });
+  play(60, 4);
+  const frames = entries.filter((entry) => entry.kind === 'received' && entry.message.kind === 'frame');
+  expect(frames.length).toBeGreaterThan(2);
+  for (const entry of frames)
+    expect(entry).toMatchObject({ message: valueOf(decodeServerMessage(sent.get(entry)!)) });
 });
 
 it('a page that is hidden holds no key when it comes back', () => {

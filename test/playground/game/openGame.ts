@@ -10,6 +10,8 @@ import { normalNoise, createRandom, type RecordingEntry, type RunInput } from '.
 export interface Game {
   readonly live: Live;
   readonly entries: readonly RecordingEntry[];
+  /** The bytes of those that are recorded as they were sent. */
+  readonly sent: ReadonlyMap<RecordingEntry, Uint8Array>;
   /** Inputs of a run, as reported by the server. */
   readonly runs: (readonly RunInput[])[];
   /** Draws at about `fps` frames a second until `seconds` have passed, `each` after every frame. */
@@ -61,13 +63,17 @@ export function serveInNode(): void {
 export function open(asked: Partial<Choices>): Game {
   serveInNode();
   const entries: RecordingEntry[] = [];
+  const sent = new Map<RecordingEntry, Uint8Array>();
   const runs: (readonly RunInput[])[] = [];
   const live = createLive('main.js', {
     onState: () => undefined,
     onWorld: () => entries.splice(0),
     onRefused: (reason) => expect.unreachable(reason),
     onEvent: () => undefined,
-    onEntry: (entry) => entries.push(entry),
+    onEntry(entry, bytes) {
+      entries.push(entry);
+      if (bytes !== undefined) sent.set(entry, bytes);
+    },
     onLost: () => undefined,
     onRun: (inputs) => runs.push(inputs),
     onScenario: () => undefined,
@@ -77,6 +83,7 @@ export function open(asked: Partial<Choices>): Game {
   return {
     live,
     entries,
+    sent,
     runs,
     play(fps, seconds, each) {
       for (let passed = 0; passed < seconds * 1000;) {

@@ -21,7 +21,7 @@ it('a message is taken when it is decoded', () => {
   const wrapped = createPendingTap().wrap(pendingOf(3, [event(2)]), took, () => undefined);
   expect([wrapped.isFrame, took.mock.calls.length]).toEqual([true, 0]);
   expect(wrapped.decode()).toEqual({ ok: true, value: frame(3, [event(2)]) });
-  expect(took.mock.calls).toEqual([[frame(3, [event(2)])]]);
+  expect(took.mock.calls).toEqual([[frame(3, [event(2)]), true]]);
 });
 
 it('events of superseded frames go into the next that is decoded', () => {
@@ -35,9 +35,9 @@ it('events of superseded frames go into the next that is decoded', () => {
     expect(tap.wrap(pendingOf(tick, events), took, passed).events()).toEqual(events);
   expect([passed.mock.calls.length, took.mock.calls.length]).toEqual([2, 0]);
   tap.wrap(pendingOf(3, [event(2)]), took, passed).decode();
-  expect(took.mock.calls).toEqual([[frame(3, [event(0), event(1), event(2)])]]);
+  expect(took.mock.calls).toEqual([[frame(3, [event(0), event(1), event(2)]), false]]);
   tap.wrap(pendingOf(4), took, passed).decode();
-  expect(took.mock.calls[1]).toEqual([frame(4)]);
+  expect(took.mock.calls[1]).toEqual([frame(4), true]);
 });
 
 it('the newest thousand events are kept, none into another world, and a refused message is not taken', () => {
@@ -49,7 +49,7 @@ it('the newest thousand events are kept, none into another world, and a refused 
   const decode = () => tap.wrap(pendingOf(5001), took, () => undefined).decode();
   pass(many);
   decode();
-  expect(took).toHaveBeenLastCalledWith(frame(5001, many.slice(1)));
+  expect(took).toHaveBeenLastCalledWith(frame(5001, many.slice(1)), false);
   pass([event(7)]);
   tap.clear();
   decode();

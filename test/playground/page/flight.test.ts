@@ -24,6 +24,8 @@ it('shows its picture once it is drawn, of what is chosen and from the camera th
   expect(page.text('banner')).toBe('Building the ground …');
   page.play(1, 250);
   expect([dataset['ready'], drawn === null]).toEqual([undefined, false]);
+  // The server loads while the scene is created.
+  expect(page.created).toEqual(['server', 'picture']);
   page.gpu.isDone = true;
   page.play(1.5, 250);
   expect([page.text('banner'), dataset['ready']]).toEqual(['', 'true']);

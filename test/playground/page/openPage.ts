@@ -42,6 +42,8 @@ export interface OpenPage {
   /** The query in the address. */
   readonly query: () => string;
   readonly copied: string[];
+  /** The servers and pictures that were created, in order. */
+  readonly created: readonly ('server' | 'picture')[];
   /** Whether the picture's commands are carried out. */
   readonly gpu: { isDone: boolean };
 }
@@ -77,6 +79,7 @@ export async function openPage(
 ): Promise<OpenPage> {
   const { document, Element, HTMLElement } = parseHTML(HTML);
   const copied: string[] = [];
+  const created: ('server' | 'picture')[] = [];
   let frames: ((milliseconds: number) => void)[] = [];
   const location = { search, pathname: '/', origin: 'https://page.test' };
   const members = {
@@ -126,10 +129,18 @@ export async function openPage(
   const part = (id: string) => document.getElementById(id)!;
   for (const element of document.querySelectorAll('*')) Object.assign(element, MEMBERS);
   Object.assign(part('scene-view'), {
-    getContext: (kind: string) => (hasPicture ? canvas.getContext(kind as 'webgl2') : null),
+    getContext(kind: string) {
+      created.push('picture');
+      return hasPicture ? canvas.getContext(kind as 'webgl2') : null;
+    },
     ...{ width: 300, height: 150 },
   });
   serveInNode();
+  const { Worker: InNode } = globalThis;
+  vi.stubGlobal('Worker', function (...given: ConstructorParameters<typeof Worker>) {
+    created.push('server');
+    return new InNode(...given);
+  });
   begin(document, 'main.js');
   if (document.body.classList.contains('workshop'))
     await until(() => document.querySelector('#panel .run') && document.querySelector('#dock canvas'));
@@ -148,6 +159,7 @@ export async function openPage(
     document,
     part,
     copied,
+    created,
     gpu,
     button,
     field,

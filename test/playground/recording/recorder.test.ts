@@ -70,6 +70,13 @@ it('packs whole frames, and gives them back as they were', () => {
   expect(entry).not.toBe(recorder.recording('').entries[0]);
 });
 
+it('keeps a frame’s own bytes where it has them, and encodes none', () => {
+  const recorder = createRecorder();
+  const entry = whole(7);
+  recorder.take(entry, encodeServerMessage(frameAt(8)));
+  expect(recorder.recording('').entries).toEqual([{ ...entry, message: frameAt(8) }]);
+});
+
 it('drops the oldest entries beyond 14 MB, down to nine tenths, and begins with a frame and its hello', () => {
   const recorder = createRecorder();
   const hello = received(0, { kind: 'hello', tickRate: 1 });

@@ -28,7 +28,7 @@ export interface Receiver {
   /** Before the first frame: the bodies known so far are taken to be of its tick, unless it has its own. */
   startsBodies: boolean;
   /** The bodies sent last, to detect whether they move. */
-  readonly lastBodies: { tick: number; bodies: readonly BodyState[] };
+  lastBodies: { tick: number; bodies: readonly BodyState[] };
   /** Events before this tick have been reported, unless they are as old as the ledgers reach. */
   eventsTick: number;
   /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
@@ -85,8 +85,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.eventsTick = 0;
   receiver.removed.clear();
   receiver.startsBodies = true;
-  receiver.lastBodies.bodies = [];
-  receiver.lastBodies.tick = -1;
+  receiver.lastBodies = { tick: -1, bodies: [] };
   receiver.gameTime = null;
   receiver.sentTempo.tickRate = null;
   receiver.sentTempo.timeScale = null;

@@ -169,3 +169,24 @@ it('keys turn about and push along the screen’s axes, where there is one, and 
   const screen = Float64Array.of(...inShip(0, -1, 0), ...inShip(1, 0, 0), ...inShip(0, 0, 1));
   expect(byKeys(screen)).toEqual([...KEYS.values()].map(([, seen]) => seen));
 });
+
+it('a stick follows the screen as it turns; a held key keeps the axes that it went down in', () => {
+  const view = makeView({ clearance: 50 });
+  const ahead = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+  const aside = Float64Array.of(0, 1, 0, -1, 0, 0, 0, 0, 1);
+  const controls = createFlightControls(
+    () => view,
+    () => flatTerrain,
+  );
+  const turnOn = (screen: Float64Array) => {
+    controls.steerInScreenAxes(() => screen);
+    return controls.sample(view, 0, 0.02)!.rotationInput;
+  };
+  controls.takeOver();
+  Object.assign(controls.stick.deflection, { tiltAway: 1 });
+  expect(turnOn(ahead)).not.toEqual(turnOn(aside));
+  Object.assign(controls.stick.deflection, { tiltAway: 0 });
+  controls.steerInScreenAxes(() => ahead);
+  controls.press('pitchPlus');
+  expect(turnOn(aside)).toEqual(turnOn(ahead));
+});

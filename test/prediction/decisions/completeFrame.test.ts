@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createPredictor } from '../../../src/prediction';
 import { completeFrame } from '../../../src/prediction/snapshots/completeFrame';
+import { forgetPast } from '../../../src/prediction/snapshots/receiver';
 import type { PartialFrame } from '../../../src/wire';
 import { frameAt, helloAt, STILL } from '../faults/restingShip';
 import { value } from '../rig';
@@ -96,4 +97,16 @@ it('a time scale that contradicts the game time is measured', () => {
   });
   expect(scales[0]).toBe(1);
   expect(scales[3]).toBeCloseTo(3, 9);
+});
+
+it('a server that starts over has neither the tempo that was measured nor the one sent before', () => {
+  const measured = sessionAt(TICK);
+  for (let k = 1; k < 5; k++) completed(frameAt(TICK + 10 * k, 10, { gameTime: 3 * k }), measured);
+  const sent = completed({ ...bare, tickRate: 20, timeScale: 8 }).session;
+  for (const session of [measured, sent]) {
+    forgetPast(session.receiver);
+    session.sim.newestTick = -1;
+    const { result } = completed({ ...bare, tick: 5, gameTime: 0.5 }, session);
+    expect(value(result)).toMatchObject({ tickRate: 10, timeScale: 1 });
+  }
 });

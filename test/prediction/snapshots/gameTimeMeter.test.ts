@@ -73,6 +73,16 @@ describe('game time per tick', () => {
     }
   });
 
+  it('is measured by ships of 1 m/s or faster', () => {
+    const scaleAt = (speed: number) => {
+      const drifting = (s: number) => ({
+        ships: flying(s, { velocity: [0, 0, speed], position: [0, 2e6, speed * s] }),
+      });
+      return scalesOf(4, drifting, { perTick: () => 1, sent: null })[3];
+    };
+    expect([scaleAt(0.99), scaleAt(1)]).toEqual([null, expect.closeTo(10, 6)]);
+  });
+
   it('returns to the sent value once that fits', () => {
     const perTick = (tick: number) => (tick < 4 ? 0.2 : 0.1);
     const scales = scalesOf(8, (s) => ({ bodies: at(s) }), { perTick, sent: 1 });

@@ -107,7 +107,7 @@ export const sleepingShips: Feature = feature('sleepingShips', { sleep });
 
 /**
  * Keeps frames short with many ships, and their memory bounded: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION,
- * Timeline), beyond 32 the ground below a ship counts as level for drawing, and the predicted states of all ships but the own one take 32 MB at most.
+ * Timeline), beyond 32 the ground below a ship counts as level for drawing, and the predicted states of all ships but the player’s take 32 MB at most.
  */
 export const frameBudget: Feature = feature('frameBudget', { keepWithinBudget, snapToLevel, rowsWithin });
 

@@ -10,7 +10,7 @@ import { coneMeets } from './camera/viewCone';
 const CRASH_SPEED = 50;
 /** No ship is larger than this around its centre of mass, m. */
 const SHIP_REACH = 30;
-/** With more ships than this only the own one raises dust. */
+/** With more ships than this only the player’s raises dust. */
 const MAX_DUSTY = 12;
 
 /** Poses the ships near the watched one's body and starts their dust and crashes. `seconds` since the last picture. */

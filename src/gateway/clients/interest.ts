@@ -4,7 +4,7 @@ import type { ShipState } from '../../wire';
 export interface Interest {
   /** Distance from the player's ship, m. A spectator has no radius. */
   readonly radius: number;
-  /** Maximum number of ships, the own one included. */
+  /** Maximum number of ships, the player’s included. */
   readonly maxShips: number;
 }
 

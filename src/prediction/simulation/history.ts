@@ -68,7 +68,7 @@ export function resized(history: History, length: number): History {
 
 /** Bytes of a predicted state. */
 export const ROW_BYTES = SHIP_STRIDE * 8;
-/** Bytes that the histories of all ships but the own one may take. */
+/** Bytes that the histories of all ships but the player’s may take. */
 const HISTORY_BYTES = 32 * 2 ** 20;
 /** Rows that every ship keeps, however many there are. */
 const MIN_ROWS = 12;

@@ -154,7 +154,7 @@ export interface Simulation {
   alpha: number;
   /** Ticks of predicted states in 10 s. */
   ringLength: number;
-  /** Rows that each ship besides the own one keeps, as memory allows. */
+  /** Rows that each ship besides the player’s keeps, as memory allows. */
   historyRows: number;
   /** How often the server sends. */
   readonly cadence: Cadence;

@@ -67,18 +67,8 @@ class Bundled extends BaseSequencer {
 
 /** Those that wait for half a minute, or compute for seconds, the longest first, so that none ends long after the others. */
 const FIRST = [
-  ...[
-    'service/service',
-    'pageRuns',
-    'pageDevices',
-    'pageReturns',
-    'pageGame',
-    'offline',
-    'pageFits',
-    'pageWindow',
-    'page',
-  ],
-  ...['pageAxe', 'pagesTogether', 'pageKeys', 'hudPictures'],
+  ...['service/service', 'pageRuns', 'pageDevices', 'pageReturns', 'pageGame', 'offline', 'hudFits', 'page'],
+  ...['pageAxe', 'pagesTogether', 'pageKeys', 'hudPictures', 'pageFits', 'hudFleet', 'pageTroubles'],
   ...['ground/ground', 'game/live', 'simulation/law', 'package/examples', 'game/parts', 'leanPredictor'],
 ].map((name) => `/${name}.test.ts`);
 

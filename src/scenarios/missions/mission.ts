@@ -31,6 +31,8 @@ export interface Mission {
   readonly night: boolean;
   /** Largest touch speed that meets the goal, m/s; absent if the goal names none. */
   readonly touchLimit?: number;
+  /** Slope of the ground at the pads, degrees, which a ship's tilt against the vertical includes; 0 if absent. */
+  readonly slope?: number;
   /** Game seconds and kg of fuel that earn full points. */
   readonly parSeconds: number;
   readonly parFuel: number;

@@ -165,6 +165,7 @@ export const MISSIONS: readonly Mission[] = [
     }),
     goal: 'Land on the slope without sliding off the pad.',
     pads: [{ east: 0, north: 0, radius: 20 }],
+    slope: 25,
     parSeconds: 75,
     parFuel: 350,
   },

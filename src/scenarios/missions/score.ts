@@ -19,7 +19,7 @@ export interface Score {
 /** Touch speeds that earn full points and none, m/s. */
 const SOFT = 1;
 const HARD = 10;
-/** Degrees of tilt after the touch that earn full points and none. */
+/** Degrees of tilt beyond the slope, after the touch, that earn full points and none. */
 const STEADY = 3;
 const LEANING = 30;
 /** Multiple of the par that earns no points. */
@@ -30,6 +30,7 @@ const GOAL_PENALTY = -400;
 /** Scores a landing by touch speed, distance, tilt, fuel and time, each with its rule. */
 export function scoreRun(mission: Mission, run: RunOutcome): Score {
   const { touchSpeed, distance, tilt, fuelUsed, seconds } = run;
+  const slope = mission.slope ?? 0;
   const radius = Math.min(...mission.pads.map((pad) => pad.radius));
   const kg = (value: number) => `${value.toFixed(0)} kg`;
   const lines: ScoreLine[] = [
@@ -47,9 +48,9 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
     }),
     line('Tilt', tilt, `${tilt.toFixed(1)}°`, {
       most: 100,
-      full: STEADY,
-      none: LEANING,
-      rule: `full points up to ${STEADY}°, none from ${LEANING}°`,
+      full: slope + STEADY,
+      none: slope + LEANING,
+      rule: `full points up to ${slope + STEADY}°, none from ${slope + LEANING}°`,
     }),
     line('Fuel', fuelUsed, kg(fuelUsed), {
       most: 200,

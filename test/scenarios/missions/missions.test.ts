@@ -57,6 +57,21 @@ describe('missions', () => {
     },
   );
 
+  it('name the slope of the ground at their pads', () => {
+    const REACH = 10;
+    for (const mission of ALL.filter(({ slope }) => slope !== undefined)) {
+      const loaded = valueOf(loadScenario(mission.scenario));
+      const heightAt = (east: number, north: number) =>
+        Math.hypot(...padPlaces({ ...mission, pads: [{ east, north, radius: 1 }] }, loaded)[0]!);
+      const [rise, lie] = [
+        heightAt(REACH, 0) - heightAt(-REACH, 0),
+        heightAt(0, REACH) - heightAt(0, -REACH),
+      ];
+      const degrees = (Math.atan(Math.hypot(rise, lie) / (2 * REACH)) * 180) / Math.PI;
+      expect(Math.abs(degrees - mission.slope!), mission.scenario.name).toBeLessThan(1.5);
+    }
+  });
+
   it('use the scenario’s share of engine thrust and its factor on the spin', () => {
     const half = valueOf(loadScenario(findScenario('half-engine')!));
     const whole = valueOf(loadScenario({ ...findScenario('half-engine')!, engineShare: 1 }));
@@ -110,23 +125,33 @@ describe('a run', () => {
     expect(scoreRun(mission, run).total).toBe(0);
   });
 
+  const landedWell = {
+    outcome: 'landed' as const,
+    seconds: 50,
+    padsReached: 1,
+    touchSpeed: 0.9,
+    distance: 1,
+    tilt: 1,
+    fuelUsed: 100,
+    hasTipped: false,
+    track: new Float64Array(0),
+  };
+
   it('loses points exactly as its score lines say', () => {
-    const good = {
-      outcome: 'landed' as const,
-      seconds: 50,
-      padsReached: 1,
-      touchSpeed: 0.9,
-      distance: 1,
-      tilt: 1,
-      fuelUsed: 100,
-      hasTipped: false,
-      track: new Float64Array(0),
-    };
-    expect(scoreRun(mission, good).total).toBe(1000);
-    expect(scoreRun(mission, { ...good, touchSpeed: 5.5 }).total).toBe(450);
-    expect(scoreRun(mission, { ...good, distance: 30 }).total).toBe(750);
-    expect(scoreRun(mission, { ...good, hasTipped: true }).total).toBe(850);
-    expect(scoreRun(mission, { ...good, outcome: 'unfinished' }).total).toBe(0);
+    expect(scoreRun(mission, landedWell).total).toBe(1000);
+    expect(scoreRun(mission, { ...landedWell, touchSpeed: 5.5 }).total).toBe(450);
+    expect(scoreRun(mission, { ...landedWell, distance: 30 }).total).toBe(750);
+    expect(scoreRun(mission, { ...landedWell, hasTipped: true }).total).toBe(850);
+    expect(scoreRun(mission, { ...landedWell, outcome: 'unfinished' }).total).toBe(0);
+  });
+
+  it('stands as steadily on a slope as on level ground', () => {
+    const steep = findMission('steep-slope')!;
+    const tiltLine = (from: typeof steep, tilt: number) =>
+      scoreRun(from, { ...landedWell, tilt }).lines.find(({ what }) => what === 'Tilt')!;
+    expect(tiltLine(mission, 28).points).toBeLessThan(10);
+    expect(tiltLine(steep, 28)).toMatchObject({ points: 100, rule: 'full points up to 28°, none from 55°' });
+    expect(tiltLine(steep, 41.5).points).toBe(50);
   });
 
   it('is decoded or refused with a reason, and never throws, for any bytes', () => {

@@ -75,6 +75,6 @@ function measureSpread(delays: Delays, most: number): number {
     if (values[i]! - least <= most) sorted[n++] = values[i]! - least;
   sorted.fill(Number.POSITIVE_INFINITY, n);
   sorted.sort();
-  const at = (share: number) => sorted[Math.min(n - 1, Math.floor(n * share))]!;
+  const at = (share: number) => sorted[Math.floor(n * share)]!;
   return Math.min(at(MOST), Math.max(MIN_LIMIT, LIMIT * at(USUAL)));
 }

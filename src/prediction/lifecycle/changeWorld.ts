@@ -44,7 +44,7 @@ function carryOver(sim: Simulation, track: Track, before: World): void {
   forgetAfter(track.history, -1);
   if (track.log !== null) forgetLogsAfter(track.log, -1);
   abandonReplay(track);
-  track.agreedTick = NaN;
+  track.agreedTick = -1;
   // The learned ground corrected the previous world.
   track.ground.places.length = 0;
   track.evidence.tick = -1;

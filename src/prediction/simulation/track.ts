@@ -60,7 +60,7 @@ export interface Track {
   silence: number;
   /** The last send (Cadence) that included it. */
   lastSend: number;
-  /** Newest tick whose server state agreed with the prediction, NaN for none. */
+  /** Newest tick whose server state agreed with the prediction, -1 for none: NaN would make it a double, which V8 boxes. */
   agreedTick: number;
 
   /** Position of the replay in the fleet's `replayed` row. */
@@ -144,7 +144,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     seenAt: 0,
     silence: 0,
     lastSend: 0,
-    agreedTick: NaN,
+    agreedTick: -1,
     replaying: false,
     replayTick: 0,
     replaySubstep: 0,

@@ -53,7 +53,7 @@ export function createSnapshotContext(): SnapshotContext {
     bodies: none,
     predictedBodies: none,
     turned: NaN,
-    tick: NaN,
+    tick: -1,
     now: NaN,
     lastInput: null,
     inputs: 'asPredicted',

@@ -131,7 +131,7 @@ export function drawnClearance(clearance: number, height: number, offset: number
  * @param height of the centre of mass above its height at contact, m
  */
 function flyingTarget(clearance: number, height: number): number {
-  const hovering = clearance - Math.max(height, 0);
+  const hovering = clearance - (height > 0 ? height : 0);
   if (hovering <= 0 || height >= RELEASE_HEIGHT) return clearance;
   return clearance - hovering * (height <= 0 ? 1 : 1 - height / RELEASE_HEIGHT);
 }

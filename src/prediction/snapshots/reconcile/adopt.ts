@@ -52,8 +52,8 @@ export function adopt(
   if (tooNearCentre(state, bodies, body)) return 'position: expected ≥ 1 m from the body’s centre';
 
   writePlace(row, state, bodies, body);
-  row.set(state.attitude, ATTITUDE);
-  row.set(state.angularVelocity, ANGULAR_VELOCITY);
+  for (let k = 0; k < 4; k++) row[ATTITUDE + k] = state.attitude[k]!;
+  for (let k = 0; k < 3; k++) row[ANGULAR_VELOCITY + k] = state.angularVelocity[k]!;
   row[FUEL] = state.fuel;
   for (let k = 0; k < 3; k++) row[WHEEL_MOMENTUM + k] = state.wheelMomentum?.[k] ?? Number.NaN;
   row[GROUND_CONTACT_OFFSET] = state.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
@@ -105,11 +105,11 @@ function writePlace(row: Float64Array, state: ShipState, bodies: Float64Array, b
 
 function writeCommand(row: Float64Array, state: ShipState): void {
   row[THRUST_LEVEL] = state.thrustLevel;
-  row.set(state.translationInput, TRANSLATION_INPUT);
-  row.set(state.rotationInput, ROTATION_INPUT);
+  for (let k = 0; k < 3; k++) row[TRANSLATION_INPUT + k] = state.translationInput[k]!;
+  for (let k = 0; k < 3; k++) row[ROTATION_INPUT + k] = state.rotationInput[k]!;
   row[ATTITUDE_HOLD] = state.attitudeHold ? 1 : 0;
   row[ATTITUDE_MODE] = modeNumber(attitudeModeOf(state.attitudeMode));
-  row.set(state.targetAttitude, TARGET_ATTITUDE);
+  for (let k = 0; k < 4; k++) row[TARGET_ATTITUDE + k] = state.targetAttitude[k]!;
 }
 
 /** The body with the smallest distance / radius; ties go to the one listed first (DYNAMICS, Frame). */

@@ -77,7 +77,7 @@ describe('a state that differs from the prediction', () => {
     expect(corrected(of)).toEqual({ ...NONE, mismatch: 1 });
     expect([counters.errorPosition, counters.errorAngle]).toEqual([expect.closeTo(4, 6), 0]);
     expect(counters.lastMismatch).toContain(`own at tick ${TICK}: position: server`);
-    expect(track).toMatchObject({ replaying: true, replayTick: TICK, agreedTick: NaN });
+    expect(track).toMatchObject({ replaying: true, replayTick: TICK, agreedTick: -1 });
     expect(sim.fleet.replayed[track.at + POSITION + 1]).toBe(of.sent.relativePosition![1] + 4);
   });
 
@@ -152,7 +152,7 @@ describe('a state without a prediction', () => {
     const of = predicted();
     prepare(of);
     of.take();
-    expect([of.track.replaying, of.track.agreedTick]).toEqual([true, NaN]);
+    expect([of.track.replaying, of.track.agreedTick]).toEqual([true, -1]);
     expect(corrected(of)).toEqual(NONE);
     expect(of.counters.errorPosition).toBeNaN();
     expect(has(of.track.history, TICK)).toBe(true);

@@ -68,6 +68,7 @@ export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase
 export { findMission, findScenario, FREE_FLIGHT, MISSIONS } from './missions/missions';
 export { LESSONS } from './missions/lessons';
 export type { Mission, MissionGoal, Pad } from './missions/mission';
+export { cosineOfTilt } from './tilt';
 export { flyRun, type RunInput, type RunOutcome } from './missions/flyRun';
 export { TRACK_RATE, TRACK_STRIDE } from './missions/track';
 export { padPlaces } from './missions/pads';

@@ -64,9 +64,9 @@ export function upNetworkOf(choices: Choices): NetworkNumbers | undefined {
   });
 }
 
-/** @param program address of the page's own main module, which the worker runs too; `worker` may run it already */
-export function createLive(program: string, listeners: LiveListeners, worker?: Worker | null): Live {
-  const state = createLiveState(program, listeners, worker ?? null);
+/** @param program address of the page's own main module, which the worker runs too; `worker` runs it already, if it is not null */
+export function createLive(program: string, listeners: LiveListeners, worker: Worker | null = null): Live {
+  const state = createLiveState(program, listeners, worker);
   const { clock, flightControls, baseline, runHash } = state;
   return {
     clock,

@@ -28,6 +28,7 @@ import {
   type TickRun,
 } from '../runTick';
 import { loadScenario } from '../scenario';
+import { cosineOfTilt } from '../tilt';
 import type { Mission } from './mission';
 import { padPlaces } from './pads';
 import { TRACK_RATE } from './track';
@@ -183,10 +184,7 @@ function lengthOf(offset: Vec3, at: Vec3): number {
 }
 
 function tiltOf(ship: Float64Array): number {
-  const top = rotate(readQuat(ship, ATTITUDE), [0, 0, 1]);
-  const position = readVec3(ship, POSITION);
-  const cosine =
-    (top[0] * position[0] + top[1] * position[1] + top[2] * position[2]) / Math.hypot(...position);
+  const cosine = cosineOfTilt(readQuat(ship, ATTITUDE), readVec3(ship, POSITION));
   return (Math.acos(Math.min(1, Math.max(-1, cosine))) * 180) / Math.PI;
 }
 

@@ -1,6 +1,7 @@
+import { readQuat, readVec3 } from '../../../dynamics';
 import type { ShipView, WorldView } from '../../../prediction';
 import type { LandingAids } from '../../../readout';
-import type { Mission } from '../../../scenarios';
+import { cosineOfTilt, type Mission } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 
 /** The pilot's device, which hints name. */
@@ -114,11 +115,8 @@ const ADVICE: Readonly<
 /** Cosine of the tilt past which the engine pushes more sideways than up: it is no time for thrust. */
 const MIN_UPRIGHT = 0.5;
 
-/** Cosine of the angle between the thrust axis and straight up. */
-function uprightness({ attitude, position }: ShipView): number {
-  const [x, y, z, w] = attitude as unknown as [number, number, number, number];
-  const top = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
-  return top.reduce((sum, part, k) => sum + part * position[k]!, 0) / Math.hypot(...position);
+function isUpright({ attitude, position }: ShipView): boolean {
+  return cosineOfTilt(readQuat(attitude, 0), readVec3(position, 0)) >= MIN_UPRIGHT;
 }
 
 /** Advice for the landing now, in the words of the device. */
@@ -132,7 +130,7 @@ export function adviceText(
     return named('Cut the engine now {throttleCut}', device, keyCap);
   if (own?.shownState === '' && own.fuel <= 0)
     return named('Out of fuel: try again {restart}', device, keyCap).trim();
-  if (own?.shownState === '' && uprightness(own) < MIN_UPRIGHT)
+  if (own?.shownState === '' && !isUpright(own))
     return own.controls.attitudeMode === 'radial' ? '' : named('Turn upright {modeUpright}', device, keyCap);
   const [agreeing, same, other] = ADVICE[advice];
   return named(corridor === agreeing ? same : other, device, keyCap);

@@ -22,6 +22,7 @@ const PROGRAM_TESTS = [
 const LONG_TESTS = 'test/**/*.long.test.ts';
 /** Those that measure in real time, which a busy machine would change. */
 const ALONE = [
+  'test/browser/pilot/firstMinute*.long.test.ts',
   'test/live/{bounce,hostile,pages}.long.test.ts',
   'test/prediction/harness/inChromium.long.test.ts',
 ];
@@ -144,7 +145,6 @@ export const longTests = {
           name: 'long',
           include: [LONG_TESTS],
           exclude: ALONE,
-          globalSetup: ['test/browser/globalSetup.ts'],
           maxWorkers: availableParallelism(),
           sequence: { groupOrder: 1 },
           ...LONG_HANGS,
@@ -155,7 +155,9 @@ export const longTests = {
         test: {
           name: 'alone',
           include: ALONE,
-          // One after the other, after the rest, and without the browsers and servers that the page's tests share.
+          globalSetup: ['test/browser/globalSetup.ts'],
+          // One after the other, after the rest. The browsers and servers that the newcomers share run from the first group on; idle, all
+          // of them take less than a thousandth of a core.
           maxWorkers: 1,
           sequence: { groupOrder: 2 },
           ...LONG_HANGS,

@@ -35,7 +35,7 @@ export function createHttpHandler(
 
   async function login(request: IncomingMessage, response: ServerResponse): Promise<void> {
     if (!mayLogin(request.socket.remoteAddress ?? '')) {
-      fail(response, 429, 'E008', 'Too many attempts; wait a little');
+      fail(response, 429, 'E008', 'Too many attempts; try again in a few seconds');
       return;
     }
     const { username, password } = await readFields(request);

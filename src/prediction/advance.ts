@@ -28,7 +28,7 @@ const USUAL = 3;
 /** Own controls act from at most this many substeps before the present: the span of a 60 Hz frame. */
 const BACKDATED = 2;
 
-/** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, Timeline). */
+/** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, Inputs, Clock). */
 export function advanceFrame(session: Session, controls: Controls | null, now: number): void {
   const { sim, clock, pilot, budget } = session;
   const target = alignFront(session, now);

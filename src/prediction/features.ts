@@ -106,8 +106,9 @@ export const unloadedGround: Feature = feature('unloadedGround', { learning, unk
 export const sleepingShips: Feature = feature('sleepingShips', { sleep });
 
 /**
- * Keeps frames short with many ships, and their memory bounded: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION,
- * Timeline), beyond 32 the ground below a ship counts as level for drawing, and the predicted states of all ships but the player’s take 32 MB at most.
+ * Keeps frames short with many ships, and their memory bounded: beyond `maxSubstepsPerFrame` distant ones are not predicted
+ * (PREDICTION, Other ships), beyond 32 ships the ground below the others counts as level for drawing, and the predicted states of all
+ * ships but the player’s take at most 32 MB.
  */
 export const frameBudget: Feature = feature('frameBudget', { keepWithinBudget, snapToLevel, rowsWithin });
 

@@ -100,7 +100,7 @@ function unit([x, y, z]: Vec3): Vec3 {
   return [x / length, y / length, z / length];
 }
 
-/** Luna, Earth, Mars, Phobos: SI units, ICRF. Masses, mean radii and sidereal spins; places and orbital velocities of one instant, rounded. */
+/** Luna, Earth, Mars, Phobos: SI units, ICRF. Masses, mean radii and sidereal spins; positions and orbital velocities at one instant, rounded. */
 export const BODIES: readonly (Body & BodyMotion)[] = [
   {
     name: 'Luna',

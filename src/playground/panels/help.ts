@@ -70,7 +70,7 @@ export function createHelp(
 }
 
 const INTRODUCTION =
-  'Press a key’s button, then the new key. Flight keys go by their position on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
+  'To change a key, click it and press the new one. Flight keys are bound by position on the keyboard, the others by letter. While the picture has the focus, the arrow keys turn the view, + and − zoom, and Home resets it.';
 
 /** The keys by group; a key's button waits for the new key. Returns a function that shows the present keys. */
 function appendKeys(dialog: HTMLDialogElement, context: HelpContext): () => void {

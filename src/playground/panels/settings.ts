@@ -84,7 +84,7 @@ function appendSettings(host: Element, form: Form): void {
   form.field(custom, 'Jitter, ms', 'jitter', createNumber(document, 0, 1000, 1));
   form.field(custom, 'Stalled, %', 'stalled', createNumber(document, 0, 50, 0.1));
   form.field(custom, 'Stall, ms', 'stall', createNumber(document, 0, 10_000, 10));
-  append(custom, 'p', 'quiet', 'Link to the server; empty: as from it.');
+  append(custom, 'p', 'quiet', 'To the server; empty: same as from the server.');
   form.field(custom, 'Up delay, ms', 'upDelay', createNumber(document, 0, 5000, 1));
   form.field(custom, 'Up jitter, ms', 'upJitter', createNumber(document, 0, 1000, 1));
   form.field(custom, 'Up stalled, %', 'upStalled', createNumber(document, 0, 50, 0.1));

@@ -78,7 +78,7 @@ function kick({ loaded, link }: LoadedWorld, velocity: Vec3, spin: Vec3): string
 
 function snapshot(world: LoadedWorld): string | null {
   const frame = world.link.authority.frameFor(OWN_PLAYER);
-  if (frame === null) return 'snapshot: no ship of the player';
+  if (frame === null) return 'snapshot: the player has no ship';
   const saved = saveShips(frame);
   if (!saved.ok) return `snapshot: ${saved.reason}`;
   world.saved = saved.value;

@@ -154,7 +154,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
     onStatus: reporter.status,
     onData(data) {
       if (!(data instanceof ArrayBuffer)) {
-        handlers.onRefused(`${address} sent text; the protocol is bytes`);
+        handlers.onRefused(`${address} sent text, but its protocol is binary`);
         return;
       }
       const message = pendingServerMessage(new Uint8Array(data));

@@ -14,7 +14,7 @@ export function saveShips(frame: ServerFrame): Result<readonly SavedShip[]> {
   for (const ship of frame.ships) {
     const body = frame.bodies.find(({ name }) => name === ship.referenceBody);
     if (body === undefined || ship.relativePosition === null || ship.relativeVelocity === null)
-      return err('the legacy protocol does not carry whole states');
+      return err('the legacy protocol does not send complete states');
     const toBody = inverse(body.attitude);
     saved.push({
       shipId: ship.shipId,

@@ -29,7 +29,7 @@ export function checkControls(warn: Warn, given: Controls | null): void {
   const { thrustLevel, translationInput, rotationInput } = given;
   const largest = Math.max(thrustLevel, ...[...translationInput, ...rotationInput].map(Math.abs));
   if (largest > 1 + 1e-9 || thrustLevel < 0) {
-    const message = `Controls range from 0 (thrustLevel) or −1 to 1, got ${largest}: they are clamped. Percent?`;
+    const message = `Controls range from 0 (thrustLevel) or −1 to 1, got ${largest}: they are clamped. Pass shares, not percent.`;
     warn('controls-clamped', message, { value: given });
   }
 }

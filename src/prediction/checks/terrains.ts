@@ -22,7 +22,7 @@ export function checkTerrains({ warn, options, config, sim }: Session): void {
     for (const [x, y, z] of DIRECTIONS) {
       const height: unknown = sim.world.terrainHeight(name, x, y, z);
       if (typeof height !== 'number' || Math.abs(height) <= HIGHEST) continue;
-      const message = `The terrain ${terrain} has ${height} m on ${name}: return the height above the body's radius in metres, not the radius.`;
+      const message = `The terrain ${terrain} returned ${height} m on ${name}: return the height above the body's radius in metres, not the radius.`;
       warn('terrain-too-high', message, { terrain, body: name, height });
     }
 }

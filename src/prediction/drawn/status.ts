@@ -46,7 +46,7 @@ const HOP = 0.3;
 const STALE_SENDS = 2;
 
 /**
- * A ship's shown state and its provenance (PREDICTION, Events).
+ * A ship's shown state and its provenance (PREDICTION, Shown state).
  * @param rows holds the state at the present at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {

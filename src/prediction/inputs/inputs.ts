@@ -4,7 +4,7 @@ import { isBefore, type Position } from '../time/timeline';
 import { sameControls } from './command';
 
 /**
- * Own controls as records (PREDICTION, Timeline): sampled once, stored, sent as stored, and applied by client and server at
+ * Own controls as records (PREDICTION, Inputs): sampled once, stored, sent as stored, and applied by client and server at
  * the same substep. The server's acknowledgements override them.
  */
 export interface Inputs {

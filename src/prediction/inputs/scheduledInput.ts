@@ -3,7 +3,7 @@ import type { Inputs, ScheduledInput } from './inputs';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
- * Inputs of the player's ship in order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor
+ * Inputs of the player's ship in order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Inputs). A cursor
  * indexes both.
  */
 

@@ -1,7 +1,7 @@
 import type { BodyState, PartialFrame, ShipState } from '../../wire';
 
 /**
- * Game time from one tick to the next, measured from motion (PREDICTION, Foreign dynamics): a server may
+ * Game time from one tick to the next, measured from motion (PREDICTION, Timeline): a server may
  * omit its time scale, or vary it by a few per cent to stay in step with a calendar.
  */
 export interface GameTimeMeter {

@@ -11,7 +11,7 @@ import {
 } from './offsetBounds';
 
 /**
- * The server's clock as estimated by the client, and the present that is drawn (PREDICTION, Timeline, Clock).
+ * The server's clock as estimated by the client, and the present that is drawn (PREDICTION, Clock).
  * All times are wall seconds: `now` is an argument, the client's; server time counts from the timeline's origin. The offset lies between
  * two bounds, and half way between them if both directions take equally long. With the lead added that assumption cancels: what counts is when
  * inputs arrive.

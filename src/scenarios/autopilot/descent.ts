@@ -22,7 +22,7 @@ export interface LandingSite {
    * one and a half if they act a tick later. 0 by default; a ship that turns upright during the descent then starts its engine later.
    */
   readonly delay?: number;
-  /** m/s: a harder touch fails the landing; the default of contact_bounce_speed, 10, unless given. */
+  /** m/s: a harder touch fails the landing; by default that of DEFAULT_SETTINGS. */
   readonly bounceSpeed?: number;
 }
 

@@ -1,4 +1,4 @@
-import { ok, type Result, type Controls, err, NEUTRAL_CONTROLS } from '../../dynamics';
+import { ok, type Result, type Controls, DEFAULT_SETTINGS, err, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, descend, type LandingSite } from './descent';
 
@@ -23,9 +23,6 @@ export const BEGIN_LANDING: LandingManeuver = Object.freeze<LandingManeuver>({
 
 /** In contact the engine is off and rates are damped; legs, friction and gravity do the rest. */
 const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHold: true });
-
-/** m/s: contact_bounce_speed unless the site has another. */
-const BOUNCE_SPEED = 10;
 
 /** m: the autopilot does not fly hops below this height; even on Earth the ship comes down below the bounce speed. */
 const LOW_HOP = 3;
@@ -74,7 +71,8 @@ function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Resul
   return ok({ phase: 'descent', reason: '', controls });
 }
 
-function touchdown({ contactImpactSpeed }: ShipState, { body, bounceSpeed = BOUNCE_SPEED }: LandingSite) {
+function touchdown({ contactImpactSpeed }: ShipState, site: LandingSite) {
+  const { body, bounceSpeed = DEFAULT_SETTINGS.contactBounceSpeed } = site;
   const speed = contactImpactSpeed ?? 0;
   if (speed > bounceSpeed) return failed(`hit ${body.name} at ${speed.toFixed(1)} m/s`);
   return { phase: 'touchdown', reason: '', controls: HOLD } as const;

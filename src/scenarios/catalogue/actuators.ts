@@ -54,7 +54,7 @@ export const ACTUATORS: readonly Scenario[] = [
     name: 'wheels-fill',
     title: 'Wheels saturate',
     about:
-      'A frigate at constant stick: its wheels saturate after ten seconds, and RCS alone keeps turning it.',
+      'A frigate with the stick held: its wheels saturate after ten seconds, and RCS alone keeps turning it.',
     shipClass: 'fast_frigate',
     initial: { ...STILL, height: 3000, velocity: [0, 0, 0] },
     inputs: [

@@ -55,7 +55,7 @@ export const FLAT_GROUND: readonly Scenario[] = [
     name: 'right-itself',
     title: 'Right itself',
     about:
-      'Topples as in the scenario before; a second of RCS and wheels about the axis it fell over rights it.',
+      'Topples as in the previous scenario; a second of RCS and reaction wheels about the tipping axis rights it.',
     settings: KEPT,
     initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 40, leanTo: 90 },
     inputs: [

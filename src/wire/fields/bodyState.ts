@@ -6,7 +6,7 @@ import { type Fields, nameIn, numberIn, type Reading } from './reading';
 import type { BodyState } from '../records';
 import { quaternionFields, quaternionIn, vectorFields, vectorIn } from './vectors';
 
-/** A body with its motion; its constants are checked as in DYNAMICS, Settings. */
+/** A body with its motion; its constants are checked as in DYNAMICS, Ranges. */
 export function readBodyState(r: Reading, from: Fields): BodyState {
   const body: BodyState = {
     name: nameIn(r, from, 'name'),

@@ -5,7 +5,7 @@ import { refuseLoaded } from '../loaders';
 import { type Fields, messageIn, nameIn, numberIn, type Reading, valueIn } from './reading';
 import { optionalVectorIn, vectorFields, vectorIn } from './vectors';
 
-/** A ship class, checked as in DYNAMICS, Settings. */
+/** A ship class, checked as in DYNAMICS, Ranges. */
 export function readShipClass(r: Reading, from: Fields): ShipClass {
   const shipClass: ShipClass = {
     name: nameIn(r, from, 'name'),

@@ -24,7 +24,7 @@ const ENVELOPE: Envelope = {
 /**
  * Decodes a client's message, for the authority: checked, finite, plain; or the reason why it is refused, with the path of the
  * first invalid field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
- * bytes (PREDICTION, Timeline).
+ * bytes (PREDICTION, Inputs).
  *
  * @example
  * ```ts

@@ -14,7 +14,7 @@ const PIXELS = 400;
 /** Tests in windows of some sizes: those by touch and those by keyboard are files of their own, which run side by side. */
 export function testNewcomer(sizes: readonly (typeof WINDOW_SIZES)[number][]): void {
   describe.each(sizes)('a newcomer who follows the words on the screen at $width × $height', (size) => {
-    it('lands by the beacon, softer than 2 m/s, within two tries', async () => {
+    it('lands by the beacon at less than 2 m/s within two tries', async () => {
       const { isTouch } = size;
       const page = await openBuiltPage('', { ...FRAMES, ...windowOf(size, PIXELS) });
       await page.waitForSelector('html[data-ready=true]');

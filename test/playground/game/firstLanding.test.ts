@@ -47,7 +47,7 @@ function createNewcomer({ live }: Game): (view: WorldView, now: number) => void 
 }
 
 describe('the first minute', () => {
-  it('a newcomer lands softer than 2 m/s by the beacon at the first try, and a replay of the run proves it', () => {
+  it('a newcomer lands by the beacon at less than 2 m/s at the first try, and a replay of the run proves it', () => {
     const mission = findMission('first-landing')!;
     const tracker = createMissionTracker();
     tracker.begin(mission);

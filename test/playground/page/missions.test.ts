@@ -15,7 +15,7 @@ it('races the run of a link, and says where it is none', async () => {
   invited.play(3);
   const wrong = await openPage('?run=none');
   await wrong.until(() => wrong.text('notice').includes('run: '));
-  expect(wrong.text('notice')).toContain('run: needs scenario= with a mission');
+  expect(wrong.text('notice')).toContain('run: the link names no mission in scenario=');
 });
 
 it('says that a ship has crashed where nothing else is at stake, and of free flight what it is', async () => {

@@ -96,7 +96,7 @@ export function readRace(query: URLSearchParams): VerifiedRun | string | null {
   const text = query.get('run');
   if (text === null) return null;
   const mission = findMission(query.get('scenario') ?? '');
-  if (mission === null) return 'run: needs scenario= with a mission';
+  if (mission === null) return 'run: the link names no mission in scenario=';
   const bytes = bytesOf(text);
   const run =
     bytes === null

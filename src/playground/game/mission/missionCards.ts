@@ -1,3 +1,4 @@
+import { DEFAULT_SETTINGS } from '../../../dynamics';
 import { LESSONS, type Mission, MISSIONS } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
@@ -40,7 +41,8 @@ function card(title: string, words: string, actions: readonly CardAction[]): Car
 /** The cause of the crash and the next actions: "Try again" and those of the mission. */
 export function crashCard(context: CardContext, others: readonly CardAction[]): CardText {
   const retry = { ...retryAction(context), cap: confirmCap(context) };
-  return card('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [retry, ...others]);
+  const words = `Too fast: a touch above ${DEFAULT_SETTINGS.contactCrashSpeed} m/s breaks the ship.`;
+  return card('Crashed', words, [retry, ...others]);
 }
 
 /** The card of a phase; null where there is none. */

@@ -143,7 +143,7 @@ function isSkippable({ isLesson }: Mission, { actions }: Flight, context: Missio
 
 /** A guest cannot begin another world. */
 function asGuest({ actions, words, ...card }: CardText): CardText {
-  const hint = actions.length > 0 ? 'Only the host can restart or go on.' : '';
+  const hint = actions.length > 0 ? 'Only the host can restart or continue.' : '';
   return { ...card, words: `${words} ${hint}`.trim(), actions: [] };
 }
 

@@ -28,8 +28,8 @@ export interface Realignment {
 
 /**
  * Moves the front to the present without simulating the time between: every ship in step keeps its drawn pose and is replayed from the
- * server's newest state (PREDICTION, Absence) or, if only the division of time changed, from its state after the newest frame. So is the own
- * ship if it sleeps and an input acts in that time.
+ * server's newest state (PREDICTION, Absence) or, if only the division of time changed, from its state after the newest frame. The
+ * player's ship is replayed too if it sleeps and an input acts in that time.
  */
 export function realign(sim: Simulation, target: Position, how: Realignment): void {
   const skipped = how.stepped ? skippedTo(sim, target) : 0;

@@ -69,7 +69,7 @@ describe('where another has the world', () => {
     game.confirm();
     game.watch(crashed());
     expect(shown.card).toMatchObject({ title: 'Crashed', actions: [] });
-    expect(shown.card!.words).toMatch(/Only the host can restart or go on\.$/);
+    expect(shown.card!.words).toMatch(/Only the host can restart or continue\.$/);
     game.confirm();
     expect(shown.chosen).toBe('');
     const host = createGame('school-land');

@@ -11,7 +11,7 @@ export const CONTROLS: readonly Mistake[] = [
   ],
   ['part of the controls', 'controls-ignored', /translationInput/, () => flown({ thrustLevel: 1 })],
   ['a number as controls', 'controls-ignored', /object/, () => flown(1)],
-  ['percent', 'controls-clamped', /Percent/, () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: 50 })],
+  ['percent', 'controls-clamped', /not percent/, () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: 50 })],
   ['throttle', 'unknown-control', /Known:.*thrustLevel/, () => flown({ ...NEUTRAL_CONTROLS, throttle: 1 })],
   [
     'pitch, yaw and roll',

@@ -11,6 +11,8 @@ export interface Banner {
 /** ms */
 const FLASH = 4000;
 
+const withoutDigits = (text: string) => text.replaceAll(/\d/g, '');
+
 export function createBanner(element: HTMLElement): Banner {
   let state = '';
   let flash = '';
@@ -18,7 +20,11 @@ export function createBanner(element: HTMLElement): Banner {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const paint = () => {
     const text = flash !== '' ? flash : state !== '' ? state : rest;
-    if (element.textContent !== text) element.textContent = text;
+    const before = element.textContent;
+    if (before === text) return;
+    // A countdown is announced once, not every second.
+    element.setAttribute('aria-live', withoutDigits(before) === withoutDigits(text) ? 'off' : 'polite');
+    element.textContent = text;
   };
   return {
     state(text) {

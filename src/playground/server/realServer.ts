@@ -67,20 +67,29 @@ function openSocket(address: string): GameSocket {
 
 const MACHINE = { clock, jitter: () => Math.random(), openSocket };
 
-/** Handlers of every link: the first welcome begins a world, later ones continue in it. */
-function createLinkReporter(handlers: ConnectionHandlers) {
+/**
+ * Handlers of every link: the first welcome begins a world, later ones continue in it. While the link waits, its text counts the seconds
+ * to the next attempt.
+ * @param statusNow the link's status at the time of the call
+ */
+function createLinkReporter(handlers: ConnectionHandlers, statusNow: () => LinkStatus) {
   let isOpened = false;
+  let countdown: ReturnType<typeof setInterval> | undefined;
   return {
     opened() {
       handlers.onOpen(isOpened ? 'again' : 'world');
       isOpened = true;
     },
-    status: ({ text }: LinkStatus) => handlers.onLink(text),
+    status: ({ phase, text }: LinkStatus) => {
+      clearInterval(countdown);
+      if (phase === 'waiting') countdown = setInterval(() => handlers.onLink(statusNow().text), 1000);
+      handlers.onLink(text);
+    },
   };
 }
 
 function openGame(address: string, token: string, handlers: ConnectionHandlers): Link {
-  const reporter = createLinkReporter(handlers);
+  const reporter = createLinkReporter(handlers, () => game.status());
   /** The present connection has been reported. */
   let isIn = false;
   const game = createGameConnection(
@@ -115,7 +124,7 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
 const OWN_PING: ClientMessage = { kind: 'ping', id: MAX_TICK };
 
 function openStream(address: string, token: string, handlers: ConnectionHandlers): Link {
-  const reporter = createLinkReporter(handlers);
+  const reporter = createLinkReporter(handlers, () => driver.status());
   // One page load is one session: inputs that are sent again after a break are known as the same.
   const session = Array.from({ length: 4 }, () => Math.random().toString(36).slice(2, 10)).join('');
   let since = -1;

@@ -3,8 +3,10 @@ import { createBanner } from '../../../src/playground/panels/banner';
 
 /** The members of an element that a banner uses. */
 function createBannerOnly() {
-  const element = { textContent: '' };
-  return { element, banner: createBanner(element as HTMLElement) };
+  const attributes: Record<string, string> = {};
+  const setAttribute = (name: string, value: string) => void (attributes[name] = value);
+  const element = { textContent: '', attributes, setAttribute };
+  return { element, banner: createBanner(element as unknown as HTMLElement) };
 }
 
 describe('the banner', () => {
@@ -43,5 +45,15 @@ describe('the banner', () => {
     expect(element.textContent).toBe('Connection lost');
     banner.state('');
     expect(element.textContent).toBe('Building the ground …');
+  });
+
+  it('announces a countdown once, and what follows it', () => {
+    const { element, banner } = createBannerOnly();
+    const announced = (text: string) => {
+      banner.state(text);
+      return element.attributes['aria-live'];
+    };
+    const texts = ['Lost. Retrying in 10 s.', 'Lost. Retrying in 9 s.', 'Reconnecting…', 'Connected again.'];
+    expect(texts.map(announced)).toEqual(['polite', 'off', 'polite', 'polite']);
   });
 });

@@ -114,6 +114,22 @@ describe('a real server', () => {
     expect(told.at(-1)).toContain(`refused ${server.address} sent text`);
   });
 
+  it('counts the seconds to the next attempt', async () => {
+    const { handlers, told, until } = ear();
+    const address = server.address;
+    await server.close();
+    connection = openServer(address, handlers);
+    // The second wait has 1.5 s at least.
+    const counted = (seconds: number) =>
+      told.filter((text) => text.endsWith(`Retrying in ${seconds} s.`)).length;
+    await until(() => counted(2) > 0 && counted(1) > 1);
+    connection.dispose();
+    expect(told.at(-1)).toBe('link Disconnected.');
+    const reports = told.length;
+    await new Promise((resolve) => setTimeout(resolve, 1200));
+    expect(told).toHaveLength(reports);
+  });
+
   it('that is absent, or whose address is invalid, is reported as not answering', async () => {
     const { handlers, told, until } = ear();
     const address = server.address;

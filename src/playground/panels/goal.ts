@@ -27,21 +27,31 @@ export function createGoalPanel(element: HTMLElement): GoalPanel {
   };
 }
 
-/** Text with its keys in braces, set only where it changes. Lines break between its parts first: a word and its keys stay together. */
+/**
+ * Text with its keys in braces, set only where it changes. Lines break between its parts first: a word and its keys stay together. A dot
+ * between two parts is read and not seen, because it would end a line; parts that it separates stand further apart.
+ */
 function createKeyedText(element: HTMLElement): (text: string) => void {
   let shown = '';
   return (text) => {
     if (text === shown) return;
     shown = text;
     element.replaceChildren();
-    for (const group of text.replaceAll(' · ', ' ·\n').replaceAll(', {', ',\n{').split('\n')) {
-      if (element.hasChildNodes()) element.append(' ');
-      const words = append(element, 'span');
-      for (const [i, part] of group.split(/[{}]/).entries()) {
-        if (part === '') continue;
-        if (i % 2 === 1) append(words, 'kbd', '', part);
-        else words.append(part);
+    const items = text.split(' · ');
+    for (const [i, item] of items.entries()) {
+      if (i > 0) append(element, 'span', 'unseen', ' · ');
+      for (const [k, part] of item.replaceAll(', {', ',\n{').split('\n').entries()) {
+        if (k > 0) element.append(' ');
+        appendKeyed(append(element, 'span', items.length > 1 ? 'goal-item' : 'goal-part'), part);
       }
     }
   };
+}
+
+function appendKeyed(host: HTMLElement, text: string): void {
+  for (const [i, words] of text.split(/[{}]/).entries()) {
+    if (words === '') continue;
+    if (i % 2 === 1) append(host, 'kbd', '', words);
+    else host.append(words);
+  }
 }

@@ -170,16 +170,28 @@ describeInBrowser('the built page in any window', () => {
     await page.waitForSelector('.td-aids');
   });
 
-  it('the goal’s lines break between a control and the next, not between a word and its keys', async () => {
+  it('the goal’s lines break between a control and the next, not between a word and its keys, and end with no dot', async () => {
     await page.getByLabel('Mission').selectOption('night');
     await page.waitForFunction(() => location.search.includes('scenario=night'));
     await resize(page, 960, 540);
     const keyRows = await page.locator('.goal-how').evaluate((how) => {
       const rows = (part: Element) =>
         new Set([...part.querySelectorAll('kbd')].map((key) => Math.round(key.getBoundingClientRect().top)));
-      return { parts: [...how.children].map((part) => rows(part).size), whole: rows(how).size };
+      const items = [...how.querySelectorAll('.goal-item')];
+      return { items: items.map((item) => [item.textContent, rows(item).size]), whole: rows(how).size };
     });
-    expect(keyRows.parts).toEqual([1, 1, 1, 1, 1, 1]);
+    expect(keyRows.items).toEqual([
+      ...[
+        ['Tilt WASD', 1],
+        ['push IJKL', 1],
+        ['thrust F V', 1],
+      ],
+      ...[
+        ['cut X', 1],
+        ['upright N', 1],
+        ['autopilot Y', 1],
+      ],
+    ]);
     expect(keyRows.whole).toBeGreaterThan(1);
   });
 });

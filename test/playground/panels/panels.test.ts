@@ -82,7 +82,9 @@ it('the goal has keys in its words, and breaks lines between its parts', () => {
   const how = one(root, 'goal-how');
   expect(shownText(how)).toBe('F V engine · tilt W');
   expect(all(how, 'kbd').map(shownText)).toEqual(['F', 'V', 'W']);
-  expect([...how.children].map(({ textContent }) => textContent)).toEqual(['F V engine ·', 'tilt W']);
+  expect([...how.children].map(({ textContent }) => textContent)).toEqual(['F V engine', ' · ', 'tilt W']);
+  // A dot that is seen would end a line.
+  expect(one(how, 'unseen').textContent).toBe(' · ');
   expect(how.textContent).toBe('F V engine · tilt W');
   goal.how('You fly: {F} more, {V} less.');
   expect([...how.children].map(({ textContent }) => textContent)).toEqual(['You fly: F more,', 'V less.']);

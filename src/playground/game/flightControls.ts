@@ -15,6 +15,12 @@ import {
 } from '../input/stick';
 import { type Autopilot, createAutopilot } from './autopilot';
 
+/** The controls of a moment, and whether the autopilot flew: what a snapshot keeps beside the ships. */
+export interface SavedControls {
+  readonly controls: Controls;
+  readonly isAutopilotOn: boolean;
+}
+
 /** Who flies: the scenario's own plan, the pilot, or the autopilot. */
 export interface FlightControls {
   readonly stick: Stick;
@@ -29,6 +35,9 @@ export interface FlightControls {
   readonly setThrottle: (throttle: number) => void;
   readonly releaseAll: () => void;
   readonly reset: () => void;
+  readonly save: () => SavedControls;
+  /** Lever, damping and mode as saved; what is held now is still held. */
+  readonly restore: (saved: SavedControls) => void;
   /** Right, away and up on the screen in ICRF, or null: the ship's own axes. Asked when a key goes down. */
   readonly steerInScreenAxes: (screen: (() => Float64Array | null) | null) => void;
   /** The present controls, `seconds` of wall time after the last sample; null while the plan flies. */
@@ -89,12 +98,7 @@ export function createFlightControls(
       setThrottle(stick, throttle, currentControls(state));
     },
     releaseAll: () => releaseAll(stick),
-    reset() {
-      resetStick(stick);
-      autopilot.set(false);
-      state.commanded = null;
-      state.isPaused = false;
-    },
+    ...savedControls(state),
     steerInScreenAxes: (screen) => (state.screen = screen),
     sample(seen, now, seconds) {
       if (autopilot.isOn()) return (state.commanded = autopilot.fly(seen, now));
@@ -102,6 +106,28 @@ export function createFlightControls(
       if (stick.held.size === 0) alignSteering(state);
       const byHand = sampleStick(stick, state.isPaused ? 0 : seconds);
       return stick.touched ? byHand : null;
+    },
+  };
+}
+
+function savedControls(state: FlightControlsState): Pick<FlightControls, 'reset' | 'save' | 'restore'> {
+  const { stick, autopilot } = state;
+  return {
+    reset() {
+      resetStick(stick);
+      autopilot.set(false);
+      state.commanded = null;
+      state.isPaused = false;
+    },
+    save: () => ({
+      controls: stick.touched ? stick.controls : currentControls(state),
+      isAutopilotOn: autopilot.isOn(),
+    }),
+    restore({ controls, isAutopilotOn }) {
+      autopilot.set(isAutopilotOn);
+      state.commanded = isAutopilotOn ? controls : null;
+      stick.touched = false;
+      takeOver(stick, controls);
     },
   };
 }

@@ -1,4 +1,5 @@
 import type { ActionTargets } from './actionTargets';
+import type { SavedControls } from './flightControls';
 
 /** Wall seconds of hiding, and of a lag spike. */
 const AWAY = 60;
@@ -25,9 +26,17 @@ interface OperatorState {
   isFrozen: boolean;
   isDropped: boolean;
   awayUntil: number;
+  /** The pilot's controls of the snapshot; the server keeps the ships. */
+  saved: SavedControls | null;
 }
 
-const AT_FIRST: OperatorState = { isPaused: false, isFrozen: false, isDropped: false, awayUntil: NaN };
+const AT_FIRST: OperatorState = {
+  isPaused: false,
+  isFrozen: false,
+  isDropped: false,
+  awayUntil: NaN,
+  saved: null,
+};
 
 type OperatorTargets = Pick<
   ActionTargets,
@@ -53,7 +62,7 @@ function actionsOf(targets: OperatorTargets): OperatorActions {
   const pause = () => togglePause(targets, state);
   return {
     ...networkActions(targets, state),
-    ...shipActions(targets),
+    ...shipActions(targets, state),
     pause,
     stepSubstep() {
       if (isRemote(targets)) return;
@@ -104,19 +113,26 @@ function networkActions(targets: OperatorTargets, state: OperatorState) {
   };
 }
 
-function shipActions({ live, panel, banner, markIntervention, toggleDrag }: OperatorTargets) {
+function shipActions(
+  { live, panel, banner, markIntervention, toggleDrag }: OperatorTargets,
+  state: OperatorState,
+) {
   return {
     kick() {
       markIntervention('the ship was kicked');
       live.operate({ kind: 'kick', velocity: [2, 0, 3], spin: [0, 0.35, 0] });
     },
     snapshot() {
+      state.saved = live.flightControls.save();
       live.operate({ kind: 'snapshot' });
-      banner.flash('Snapshot taken. Restore puts every ship back.');
+      banner.flash('Snapshot taken. Restore puts back every ship, your throttle and your modes.');
     },
     restore() {
       markIntervention('a snapshot was restored');
       live.operate({ kind: 'restore' });
+      if (state.saved === null) return;
+      live.flightControls.restore(state.saved);
+      live.steer();
     },
     drag() {
       const isOn = toggleDrag();

@@ -77,6 +77,39 @@ describe('manual input', () => {
     expect(rate()).toBeLessThan(0.001);
   });
 
+  it('is put back with a snapshot: lever, damping and mode, or the autopilot that flew', () => {
+    const { live, play } = open({ scenario: 'first-landing', network: 'broadband' });
+    const { flightControls } = live;
+    play(30, 1);
+    const untouched = flightControls.save();
+    const first = live.view().own!.controls.thrustLevel;
+    flightControls.press('modeUpright');
+    flightControls.setThrottle(0.25);
+    play(30, 1);
+    const saved = flightControls.save();
+    flightControls.press('modeUpright');
+    flightControls.press('rateDamping');
+    flightControls.press('throttleFull');
+    play(30, 1);
+    flightControls.restore(saved);
+    play(30, 1);
+    const own = () => live.view().own!.controls;
+    expect(own()).toMatchObject({ thrustLevel: 0.25, attitudeMode: 'radial', attitudeHold: true });
+    flightControls.restore(untouched);
+    play(30, 1);
+    expect(own()).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
+    // Up to the lever's step.
+    expect(own().thrustLevel).toBeCloseTo(first, 2);
+    flightControls.press('autopilot');
+    play(30, 1);
+    const flown = flightControls.save();
+    flightControls.restore(saved);
+    expect(flightControls.autopilot.isOn()).toBe(false);
+    flightControls.restore(flown);
+    play(30, 60);
+    expect(live.view().own!).toMatchObject({ shownState: 'landed' });
+  });
+
   it('ends the plan at its first use, with any control, and nothing overrides it', () => {
     const { live, play } = open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);

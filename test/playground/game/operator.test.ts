@@ -16,7 +16,8 @@ describe('the operator', () => {
     const operator = createOperatorActions({
       live: {
         ...{ operate: note('operate'), suspend: note('suspend'), reconnect: note('reconnect') },
-        flightControls: { setPaused: note('paused') },
+        steer: note('steer'),
+        flightControls: { setPaused: note('paused'), save: () => 'half', restore: note('controls') },
       },
       panel: { press: note('press'), label: note('label') },
       banner: { flash: note('flash'), state: note('state') },
@@ -88,8 +89,13 @@ describe('the operator', () => {
         'operate {"kind":"kick","velocity":[2,0,3],"spin":[0,0.35,0]}',
       ],
     ]);
+    const restored = ['intervention "a snapshot was restored"', 'operate {"kind":"restore"}'];
+    // The server says that there is no snapshot.
+    expect(does('restore')).toEqual(restored);
     expect(does('snapshot')[0]).toBe('operate {"kind":"snapshot"}');
-    expect(does('restore')).toEqual(['intervention "a snapshot was restored"', 'operate {"kind":"restore"}']);
+    expect(does('restore')).toEqual([...restored, 'controls "half"', 'steer']);
+    does('reset');
+    expect(does('restore')).toEqual(restored);
     expect(does('drag').slice(0, 2)).toEqual(['press "drag" true', 'intervention "the ship was moved"']);
     expect(does('drag')).toEqual(['press "drag" false', 'flash "Dragging turns the camera again."']);
   });

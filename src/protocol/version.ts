@@ -16,8 +16,8 @@ export function matchVersion(version: unknown, own = PROTOCOL_VERSION): VersionM
   const [major, minor] = own.split('.').map(Number);
   if (theirs === null || Number(theirs[1]) !== major) return 'foreign';
   const ahead = Number(theirs[2] ?? 0) - minor!;
-  if (ahead === 0) return 'same';
-  return ahead > 0 ? 'newer' : 'older';
+  if (ahead < 0) return 'older';
+  return ahead === 0 ? 'same' : 'newer';
 }
 
 const VERSION = /^(\d{1,6})(?:\.(\d{1,6}))?$/;

@@ -81,15 +81,15 @@ function afterVarint(bytes: Uint8Array, from: number): number {
   return at + 1;
 }
 
-/** The offset after a length-delimited field. The length is not negative, so every step advances. */
+/** The offset after a length-delimited field; NaN if its length has no end. The length is not negative, so every step advances. */
 function afterDelimited(bytes: Uint8Array, from: number): number {
   let length = 0;
   let at = from;
   for (let unit = 1; ; unit *= CONTINUES) {
-    const part = bytes[at] ?? 0;
+    const part = bytes[at]!;
     at += 1;
     length += (part % CONTINUES) * unit;
-    if (part < CONTINUES) return at + length;
+    if (!(part >= CONTINUES)) return at + length;
   }
 }
 

@@ -56,6 +56,16 @@ it('does not take refused states for a pause', async () => {
   expect(told.filter((text) => /No states|paused/.test(text))).toEqual([]);
 });
 
+it('does not take a server of one state in 5 s for silent before three of them are missing', async () => {
+  const { clock, told } = await welcomed();
+  say({ ...STATE, tick_rate: 0.2 });
+  await until(() => told.includes('frame 7'));
+  clock.pass(14.9);
+  expect(told.filter((text) => text.includes('No states'))).toEqual([]);
+  clock.pass(0.2);
+  expect(told.at(-1)).toContain('No states');
+});
+
 it('pings each 30 s, and reconnects when no pong comes in 10 s', async () => {
   const { clock, told } = await welcomed();
   for (let second = 0; second < 30; second++) {

@@ -66,6 +66,17 @@ it.each([
   expect(eventsOf(bytesOf(delimited(2, HEAD, unknown, LANDED)))).toEqual(LANDED_READ);
 });
 
+it('finds an event of any length behind unknown bytes of any length', () => {
+  const missed: string[] = [];
+  for (const length of [0, 1, 128, 300])
+    for (let letters = 1; letters < 70; letters++) {
+      const landed = delimited(7, text(1, 'ship.landed'), text(2, 'a'.repeat(letters)), integer(3, 41));
+      const bytes = bytesOf(delimited(2, HEAD, delimited(12, Array<number>(length).fill(0)), landed));
+      if (eventsOf(bytes).length !== 1) missed.push(`${letters} letters behind ${length} bytes`);
+    }
+  expect(missed).toEqual([]);
+});
+
 it('takes all events', () => {
   const all = [EVENT, { ...EVENT, substep: null }, { ...EVENT, type: 'ship.landed' }];
   expect(eventsOf(encodeServerMessage({ ...FRAME, events: all }))).toEqual(all);

@@ -119,7 +119,7 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
 function flightRun(flight: Flight, timing: Timing, schedule: Schedule): TickRun {
   const { ship } = flight;
   const apart = Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt)));
-  let flies = true;
+  let flies: boolean;
   return {
     timing,
     schedule,

@@ -1,6 +1,5 @@
 import {
   BODY_STRIDE,
-  CRASHED,
   err,
   EVENT_NAMES,
   hashRows,
@@ -103,7 +102,7 @@ function createLog(ship: Float64Array, { timing, inputs }: LoadedScenario): Log 
 
 function illegalTransition(ship: Float64Array, before: number): string | null {
   const after = ship[SURFACE_STATE]!;
-  if (ship[CRASHED] === 1 || isTransitionAllowed(before, after)) return null;
+  if (isTransitionAllowed(before, after)) return null;
   const [from, to] = [SURFACE_STATES[before] ?? before, SURFACE_STATES[after] ?? after];
   return `'${from}' → '${to}'`;
 }

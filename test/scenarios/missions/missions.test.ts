@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import { NEUTRAL_CONTROLS, type Quat } from '../../../src/dynamics';
 import {
   findMission,
   findScenario,
@@ -173,6 +173,12 @@ describe('a run', () => {
       translationInput: triple,
       attitudeHold: fc.boolean(),
       attitudeMode: fc.constantFrom('none', 'hold', 'radial', 'surface_retrograde'),
+      targetAttitude: fc.constantFrom<Quat[]>(
+        [0, 0, 0, 1],
+        [1, 0, 0, 0],
+        [0.5, -0.5, 0.5, 0.5],
+        [0, 0.28, 0.96, 0],
+      ),
     });
     fc.assert(
       fc.property(fc.array(input, { maxLength: 30 }), (steps) => {

@@ -56,7 +56,7 @@ describe('a ship with a plan', () => {
     expect(authority.spawn({ ...order, plan: plan.slice(1) })).toBeNull();
   });
 
-  it('drops it at its player’s first input, and acknowledges nothing of it', () => {
+  it('drops it at its player’s first input, and never acknowledges it', () => {
     const authority = moonFlying([thrust(0, 10, 0.5), thrust(2, 0, 0.7)]);
     runTo(authority, 1);
     expect(frameOf(authority)).toMatchObject({ lastInput: null, ships: [{ thrustLevel: 0.5 }] });

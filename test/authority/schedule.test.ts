@@ -10,7 +10,7 @@ it('knows when the last 128 tick boundaries were due, and extrapolates at the ti
   expect(ends(201, 220, 72)).toEqual([102.5, 112, 38]);
 });
 
-it('extrapolates from its begin while no boundary has been due', () => {
+it('extrapolates from its start while no boundary has been due', () => {
   const schedule = createSchedule(40);
   expect([39, 40, 49].map((tick) => endOfTick(schedule, tick, 10))).toEqual([0, 0.1, 1]);
 });

@@ -164,7 +164,7 @@ describe('the loop', () => {
     expect(loop.slipped).toBe(0);
   });
 
-  it('keeps its schedule where it is frozen twice, or resumed while it runs', () => {
+  it('keeps its schedule if it is frozen twice, or resumed while it runs', () => {
     const authority = moonWith('opening');
     const loop = startLoop(authority, 0);
     setFrozen(loop, authority, false, 0.5);

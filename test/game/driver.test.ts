@@ -30,7 +30,7 @@ function openedDriver() {
   return { driver, sent, clock, socket };
 }
 
-it('sends nothing of the caller’s between the socket’s opening and the welcome', () => {
+it('sends no messages of the caller between the opening of the socket and the welcome', () => {
   const { driver, sent } = openedDriver();
   expect(driver.write('inputs')).toBe(false);
   expect(sent).toEqual(['auth']);
@@ -55,7 +55,7 @@ it.each([
   expect(waitsAfter).toEqual(waits);
 });
 
-it('detaches from the socket that it gives up: nothing late of it is heard', () => {
+it('detaches from a socket that it gives up, and ignores its late messages', () => {
   const { driver, socket } = openedDriver();
   driver.dispatch({ kind: 'end' });
   expect([socket.onopen, socket.onmessage, socket.onclose]).toEqual([null, null, null]);
@@ -64,7 +64,7 @@ it('detaches from the socket that it gives up: nothing late of it is heard', () 
 it.each([
   ['an error', new Error('bad address'), 'bad address'],
   ['anything else', 'no network', 'no network'],
-])('keeps the reason for which no socket opens: %s', (_, thrown, reason) => {
+])('keeps the reason why no socket opens: %s', (_, thrown, reason) => {
   const driver = createDriver({
     address: 'ws://localhost/stream',
     clock: createVirtualClock(),

@@ -186,7 +186,7 @@ describe('a client with a full socket', () => {
   });
 });
 
-it('a connection is closed once, and not where its socket has closed by itself', () => {
+it('a connection is closed once, and not if its socket has closed by itself', () => {
   const { connect } = createFakeGateway();
   const [pilot, gone] = [connect('json'), connect('json')];
   disconnect(pilot.client, 4001, 'first');

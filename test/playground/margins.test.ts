@@ -36,13 +36,13 @@ function windowWith(position: string, changed: (() => void)[] = []) {
 const covered = (parts: Readonly<Record<string, HTMLElement>>, position = 'absolute') =>
   coveredBy(windowWith(position), (id) => parts[id]!);
 
-it('are the goal without its advice above, and the instruments or the lever below', () => {
+it('are the goal without its advice at the top, and the instruments or the lever at the bottom', () => {
   expect(covered(WIDE)).toEqual({ top: 110, bottom: 210 });
   const thumbs = box([0, 600, 1280, 710], { '.thumb-middle': [500, 430, 800, 700] });
   expect(covered({ ...WIDE, pads: thumbs })).toEqual({ top: 110, bottom: 290 });
 });
 
-it('are none where they are hidden, stand beside the middle or scroll below the picture', () => {
+it('are zero for panels that are hidden, beside the middle or below the picture', () => {
   expect(covered({ ...WIDE, goal: box(NOWHERE, { '.goal-how': NOWHERE }), foot: box(NOWHERE) })).toEqual({
     top: 0,
     bottom: 0,
@@ -51,7 +51,7 @@ it('are none where they are hidden, stand beside the middle or scroll below the 
   expect(covered({ ...WIDE, goal: aside }, 'static')).toEqual({ top: 0, bottom: 0 });
 });
 
-it('are told to the picture whenever a panel changes its size', () => {
+it('reach the scene whenever a panel changes its size', () => {
   const changed: (() => void)[] = [];
   const told: number[][] = [];
   const sceneView = { setMargins: (...margins: number[]) => told.push(margins) } as unknown as SceneView;

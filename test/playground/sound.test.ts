@@ -121,7 +121,7 @@ it('stays off in a browser without sound', () => {
   expect([sound.set(true), sound.isOn()]).toEqual([false, false]);
 });
 
-it('makes engine and thrusters of one noise of two seconds, low and high', () => {
+it('makes engine and thrusters from two seconds of noise, filtered low and high', () => {
   vi.spyOn(Math, 'random').mockReturnValueOnce(0).mockReturnValueOnce(1);
   const { nodes } = createOn();
   vi.restoreAllMocks();
@@ -161,7 +161,7 @@ it.each<
   ]);
 });
 
-it('thumps once at a touch, as loud as it is hard, and fully at a crash', () => {
+it('thumps once at a touch, louder for a harder one, loudest at a crash', () => {
   const { hear } = createOn();
   const thumps = (ship: Partial<ShipView> | null) =>
     hear(ship).filter(

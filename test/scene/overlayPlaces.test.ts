@@ -168,7 +168,7 @@ describe('overlays', () => {
     expect(at.legRadius).toBe(view.own.shipClass.legRadius);
   });
 
-  it('are shown where they are chosen and there is something to see', () => {
+  it('are shown if they are chosen and visible', () => {
     const view = viewOf({ clearance: 0, state: 'landed', lift: 2e3 });
     for (let k = 0; k < 3; k++) view.own.easedPosition[k] = view.own.position[k]! * (1 + 1e-6);
     const places = laidOver(view, view.own);

@@ -74,7 +74,7 @@ describe('drawn ships', () => {
     expect([velocity[1], Math.hypot(velocity[0]!, velocity[2]!)]).toEqual(near([-12, 5], 6));
   });
 
-  it('crash once, unless they are wrecks when they are first seen', () => {
+  it('crash once, unless they are first seen as wrecks', () => {
     const { pose } = createState();
     const wreck = { shipId: 'a', shownState: 'crashed' as const, crashed: true };
     const height = makeShip().shipClass.groundContactOffset;
@@ -89,7 +89,7 @@ describe('drawn ships', () => {
     expect(pose(wreck).filter((what) => what !== 'grain')).toHaveLength(1);
   });
 
-  it('see-through have no hull, shadow, flames, dust or crash, at any place', () => {
+  it('that are translucent have no hull, shadow, flames, dust or crash', () => {
     const { state, pose, place, put, seenThrough, shadows, actor } = createState(undefined, () => -1000);
     state.translucent.add('b');
     const burning = { controls: { ...NEUTRAL_CONTROLS, thrustLevel: 1 }, fuel: 100 };
@@ -104,7 +104,7 @@ describe('drawn ships', () => {
     expect(actor('b').jets.visible).toBe(true);
   });
 
-  it('raise dust when they touch: all of a dozen, of more only the own', () => {
+  it('raise dust when they touch: all of up to twelve ships, otherwise only the player’s', () => {
     const grains = (count: number, own: boolean) => {
       const { pose } = createState();
       const others = Array.from({ length: count - 1 }, (_, i) => ({ shipId: String(i) }));
@@ -114,7 +114,7 @@ describe('drawn ships', () => {
     expect([grains(11, false), grains(12, false), grains(12, true)]).toEqual([40 + 22, 0, 40 + 22]);
   });
 
-  it('are lit by the share of them above the terrain’s shadow, and throw one where the map does not reach', () => {
+  it('are lit by their share above the terrain’s shadow, and cast a shadow where the map does not reach', () => {
     const { pose, place, put, shadows, actor } = createState();
     pose({ shipId: 'a' }, { shipId: 'b' }, { shipId: 'c' }, { shipId: 'd' });
     const { height } = actor('a');
@@ -136,7 +136,7 @@ describe('drawn ships', () => {
     expect(shadows.map((shadow) => shadow.height)).toEqual([height, height]);
   });
 
-  it('throw it down-sun onto the ground, along its slope, found anew once they have moved 3 cm', () => {
+  it('cast their shadows down-sun along the slope, computed again once they have moved 3 cm', () => {
     let rise = 0.05;
     const { pose, place, shadows, actor } = createState(
       (x, z) => rise * x - 0.02 * z,

@@ -88,7 +88,7 @@ describe('stones', () => {
     expect(stones.every(({ x }) => x <= 0)).toBe(true);
   });
 
-  it('throw a shadow within 18 m of the ship', () => {
+  it('cast a shadow within 18 m of the ship', () => {
     const rocks = layRocks();
     const stones = seen(rocks);
     const { mesh } = rocks;

@@ -22,7 +22,7 @@ it('a frame joined from its parts is the frame', () => {
   expect(decodeServerMessage(joined(bare))).toEqual({ ok: true, value: bare });
 });
 
-it('takes from the common part nothing that is a client’s own', () => {
+it('leaves the client’s own fields out of the common part', () => {
   const bare = { ...FRAME, ships: [], events: [], lastInput: null };
   expect(decodeServerMessage(joinFrameParts([encodeCommonPart(FRAME)]))).toEqual({ ok: true, value: bare });
 });

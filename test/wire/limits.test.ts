@@ -73,7 +73,7 @@ describe('a number', () => {
   });
 });
 
-it('the first of a frame’s events may be ahead of it as little as a later one', () => {
+it('neither the first event of a frame nor a later one may be ahead of it', () => {
   const ahead = { ...EVENT, tick: FRAME.tick + 1 };
   for (const [index, events] of [[ahead], [EVENT, ahead]].entries())
     expect(frame({ events })).toBe(`frame.events[${index}].tick: expected at most the frame's own, 42`);

@@ -69,7 +69,7 @@ describeInBrowser('on the built page', () => {
   });
   afterAll(() => page.context().close());
 
-  it('a gamepad is named, flies by triggers and sticks, lands by its autopilot button, and goes on with A', async () => {
+  it('a gamepad is named, flies by triggers and sticks, lands by its autopilot button, and continues with A', async () => {
     await page.evaluate(() => {
       const { pads, pad } = window as unknown as PadWindow;
       pads.push(pad);

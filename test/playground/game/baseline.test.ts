@@ -63,7 +63,7 @@ describe('the picture of another client', () => {
     expect([...drawn('last', 20).own.legCompression]).toEqual([0, 0, 0, 0]);
   });
 
-  it('is relative to the body where the server sends places in ICRF', () => {
+  it('is relative to the body if the server sends ICRF positions only', () => {
     const far = { relativePosition: null, relativeVelocity: null };
     const body = { name: luna.name, position: [7, -8, 9], velocity: [1, 2, -3] };
     const moved = {
@@ -99,7 +99,7 @@ describe('the gauges', () => {
   const diagnosisOf = (value: number) =>
     Object.fromEntries(GAUGES.map(({ name }) => [name, value])) as unknown as Diagnosis;
 
-  it('take a sample ten times a second, in their units, and anew when time steps back', () => {
+  it('are sampled ten times a second, in their units, and restart when time goes back', () => {
     const samples = createSamples();
     const taken = [5, 5.05, 5.125, 5.15, 4, 4.125].map((now) => samples.take(diagnosisOf(0.5), now));
     expect(taken).toEqual([true, false, true, false, true, true]);

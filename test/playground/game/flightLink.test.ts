@@ -76,7 +76,7 @@ describe('a flight’s link', () => {
     return { link, done, copied, flown };
   }
 
-  it('is copied once for each time it is asked for', () => {
+  it('is copied once per request', () => {
     const { link, done, copied, flown } = open();
     expect(link.take([input(2, 1)])).toBe(false);
     link.copy();

@@ -113,7 +113,7 @@ describe('the operator', () => {
     ]);
   });
 
-  it('is as at first in a new world', () => {
+  it('is reset in a new world', () => {
     const { does } = createOperator();
     for (const name of ['pause', 'freeze', 'drop', 'away'] as const) does(name);
     expect(does('reset')).toEqual([

@@ -117,7 +117,7 @@ describe('a recorder', () => {
     expect(replay.view().own!.shownState).toBe('landed');
   });
 
-  it('returns what it recorded, frames, controls and messages alike', () => {
+  it('returns the frames, controls and messages that it recorded', () => {
     const { recording } = play(4, () => undefined);
     const recorder = createRecorder();
     recorder.begin([]);
@@ -127,7 +127,7 @@ describe('a recorder', () => {
 });
 
 describe('replay', () => {
-  it('shows every moment as it was, forward and backward, also from the file', () => {
+  it('shows each moment as recorded, forward and backward, also from a file', () => {
     const { recording, poses } = play(6, () => undefined);
     const read = readRecording(writeRecording(recording));
     if (!read.ok) throw new Error(read.reason);

@@ -15,7 +15,7 @@ function frameAt(tick: number): PartialFrame {
 }
 
 describe('the hash of a run', () => {
-  it('is of the last state within the scenario, and ends with it', () => {
+  it('is that of the last state within the scenario, and then stays', () => {
     const hash = createRunHash();
     hash.begin(8);
     hash.take(frameAt(7));

@@ -37,7 +37,7 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     }
   });
 
-  it('is told of a speed only what the display says of it, and otherwise what to do', () => {
+  it('is told about the speed what the display says, and otherwise what to do', () => {
     const told = (advice: LandingAids['advice'], corridor: LandingAids['corridor']) =>
       adviceText({ ...createLandingAids(), advice, corridor }, makeView(), device, cap)
         .split(/[:{]/)[0]!

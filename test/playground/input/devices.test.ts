@@ -69,7 +69,7 @@ describe('a gamepad in the page', () => {
     expect(take()).toEqual(['Pad']);
   });
 
-  it('presses each button’s action once until it is up again', () => {
+  it('triggers a button’s action once per press', () => {
     const { read, connect, plug, take } = createPads();
     connect();
     plug([rest]);
@@ -193,7 +193,7 @@ describe('the thumb sticks', () => {
     expect(deflection).toEqual(createDeflection());
   });
 
-  it('have a lever that is the root of the throttle, and says what hovers', () => {
+  it('have a lever at the square root of the throttle, with the hover throttle marked', () => {
     const { document, root, lever, thumbs, take } = createPads();
     expect([lever.min, lever.max, lever.step, lever.type]).toEqual(['0', '100', '0.5', 'range']);
     lever.valueAsNumber = 50;

@@ -54,11 +54,11 @@ describe('key table', () => {
     ['a map of nonsense', '{"map":{"pitchPlus":"Enter","yawPlus":9,"nothing":"k","restart":"KeyR"}}'],
     ['two actions on a key', '{"map":{"pitchPlus":"KeyW"}}'],
     ['no map', '{"map":null}'],
-  ])('%s in the store leaves the defaults', (_, text) => {
+  ])('%s in the store: the defaults apply', (_, text) => {
     expect(loadKeys(storeWith(text))).toEqual(defaultKeys());
   });
 
-  it('works without a store that refuses', () => {
+  it('works if the browser refuses storage', () => {
     const refusing = {
       getItem: () => {
         throw new Error('forbidden');

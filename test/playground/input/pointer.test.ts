@@ -63,7 +63,7 @@ describe('the camera', () => {
     expect(pointer('move', 1, 70, 40)).toEqual([['turn', near(0.06), near(0)]]);
   });
 
-  it('leaves the ship to one finger while that moves it', () => {
+  it('leaves one finger to the ship while it can be moved', () => {
     const { pointer } = createCanvas(true);
     expect(pointer('down', 1, 10, 10)).toEqual([['capture', 1], ['begin']]);
     expect(pointer('move', 1, 13, 6)).toEqual([['move', 3, -4]]);
@@ -82,7 +82,7 @@ describe('the camera', () => {
     ['Home', ['reset']],
     ['toString', null],
     ['Tab', null],
-  ])('at %s does %o', (key, what) => {
+  ])('on %s does %o', (key, what) => {
     const { canvas, take } = createCanvas();
     expect(send(canvas, 'keydown', { key })).toBe(what !== null);
     expect(take()).toEqual(what === null ? [] : [what]);

@@ -170,7 +170,7 @@ describe('the size of what a stick commands', () => {
     expect(pushInput(level(), 1, 1, 1)).toEqual([1, 1, 1]);
   });
 
-  it('is nothing about an axis of the screen within 6° of the thrust axis', () => {
+  it('is zero about a screen axis within 6° of the thrust axis', () => {
     /** A ship leaning over to the north by `degrees`: tilting it left or right is about north. */
     const leaning = (degrees: number) => {
       const half = (-degrees * Math.PI) / 360;
@@ -181,7 +181,7 @@ describe('the size of what a stick commands', () => {
     expect(turnInput(leaning(84.5), 1, 0, 0)).toEqual([1, 0, 0]);
   });
 
-  it('has the ship’s own axes without a picture', () => {
+  it('is about the ship’s own axes without a picture', () => {
     const aim = aimOf(headed(90));
     alignSteeringAxes(aim, null, headed(90), false);
     expect(aim).toEqual(createSteeringAxes());

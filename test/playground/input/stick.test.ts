@@ -54,7 +54,7 @@ describe('stick', () => {
     expect(stick.throttle - before).toBeGreaterThan(0.05);
   });
 
-  it('takes over from the scenario’s own pilot, and forgets the pilot’s input at a restart', () => {
+  it('takes over from the scenario’s plan, and forgets the pilot’s input at a restart', () => {
     const stick = createStick();
     press(stick, 'yawMinus', { ...NEUTRAL_CONTROLS, thrustLevel: 0.7, attitudeHold: true });
     const taken = sampleStick(stick, 0.016);
@@ -74,7 +74,7 @@ describe('stick', () => {
 describe('the stick, by device and by key', () => {
   const touched = () => Object.assign(createStick(), { touched: true });
 
-  it('commands what a device deflects, of which keys on the same axis take the place', () => {
+  it('commands a device’s deflection unless a key on the same axis is held', () => {
     const stick = touched();
     Object.assign(stick.deflection, { tiltRight: 0.2, turnLeft: 0.1 });
     Object.assign(stick.deflection, { pushRight: 0.1, pushAway: -0.2, pushUp: 0.4 });
@@ -132,7 +132,7 @@ describe('the stick, by device and by key', () => {
     expect(sampleStick(stick, 0.02).thrustLevel).toBe(1);
   });
 
-  it('is what flight keys move, and commands are not', () => {
+  it('is moved by flight keys, not by commands', () => {
     const flight = ['pitchPlus', 'translateZMinus', 'throttleFull', 'killRates', 'modeHold'] as const;
     expect(flight.every(isFlightAction)).toBe(true);
     expect((['autopilot', 'restart', 'mute', 'help'] as const).some(isFlightAction)).toBe(false);

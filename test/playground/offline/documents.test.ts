@@ -98,7 +98,7 @@ describe('a host that answers in time', () => {
     expect(await open()).toBe(STORED);
   });
 
-  it('need not send stored scripts, and is used directly if nothing is stored', async () => {
+  it('need not send stored scripts, and is used at once if nothing is stored', async () => {
     const stored = (files: Readonly<Record<string, Response>>) =>
       ({ match: (url: string) => Promise.resolve(files[url.replace(ADDRESS, '')]) }) as BuildCache;
     answers({ '': [page('new.js'), HTML] });

@@ -29,7 +29,7 @@ describe('the buttons', () => {
     expect(page.text('panel')).toMatch(/State hash at tick [12]: \d+/);
   });
 
-  it('disturb the connection, and end the disturbance', async () => {
+  it('disturb the connection and restore it', async () => {
     const page = await openWorkshop();
     page.click('Lag spike');
     expect(page.text('banner')).toBe('Lag spike: nothing arrives for 1.5 s.');
@@ -76,7 +76,7 @@ describe('the buttons', () => {
     expect(page.copied[2]).toBe(page.copied[1]);
   });
 
-  it('fly together under a name that is asked for beside them: alone it begins nothing anew', async () => {
+  it('fly together under the name entered beside them; in a game alone a new name does not restart the flight', async () => {
     const page = await openPage('?scenario=sidestep');
     page.play(3);
     const height = () => Number(/AGL ([\d.]+)/.exec(page.text('hud'))![1]);
@@ -91,7 +91,7 @@ describe('the buttons', () => {
     expect([height() > before, page.text('hud').includes('Ada')]).toEqual([true, true]);
   });
 
-  it('open the keys, where one is changed', async () => {
+  it('open the list of keys, in which a key is rebound', async () => {
     const page = await openPage('');
     page.click('Keys');
     await page.until(() => page.document.querySelector('dialog'));

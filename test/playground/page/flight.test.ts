@@ -16,7 +16,7 @@ beforeAll(() => {
 // The one of all objects is again in place.
 afterAll(() => void Reflect.deleteProperty(prototype, 'onBeforeRender'));
 
-it('shows its picture once it is drawn, of what is chosen and from the camera that is', async () => {
+it('shows the picture once it is drawn, with the chosen overlay and camera', async () => {
   const page = await openPage('?scenario=opening&terrain=flat&show=footprint', { hasPicture: true });
   const { dataset } = page.document.documentElement;
   const canvas = page.part('scene-view');
@@ -66,7 +66,7 @@ it('shows its picture once it is drawn, of what is chosen and from the camera th
   expect(footprints()).toBeGreaterThan(0);
 });
 
-it('plays what it has recorded, by its buttons and by keys, and goes back to the game', async () => {
+it('replays a recording by buttons and by keys, and returns to the game', async () => {
   const page = await openPage('?scenario=settle');
   const dock = page.part('dock');
   page.play(4);
@@ -122,7 +122,7 @@ it('plays what it has recorded, by its buttons and by keys, and goes back to the
   expect(Number(received()) - Number(count)).toBeGreaterThan(1);
 });
 
-it('plays a file that is chosen or dropped, and says what is wrong with another', async () => {
+it('reads a file that is chosen or dropped, and says why it cannot be played', async () => {
   const page = await openPage('?scenario=settle');
   const { body } = page.document;
   const file = (text: string) => ({ name: 'a.jsonl', size: 10, text: () => Promise.resolve(text) });
@@ -142,7 +142,7 @@ it('plays a file that is chosen or dropped, and says what is wrong with another'
   await page.until(() => page.text('notice').includes('b.jsonl cannot be played'));
 });
 
-it('has keys for what is around the flight', async () => {
+it('has keys for aids, panels, scenarios and sound', async () => {
   const page = await openPage('?scenario=settle');
   const { body } = page.document;
   page.key('Digit1', '1');
@@ -191,7 +191,7 @@ it('hops: full throttle for a second', async () => {
   expect(page.text('flight').includes('100 %')).toBe(false);
 });
 
-it('stops at the time that a link names, for a picture', async () => {
+it('stops at the time in a link, for screenshots', async () => {
   const page = await openPage('?scenario=settle&freeze=2');
   const { dataset } = page.document.documentElement;
   page.play(1.5);

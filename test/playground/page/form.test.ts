@@ -13,7 +13,7 @@ const isDisabled = (element: Element) =>
   (element as HTMLButtonElement).disabled || element.hasAttribute('disabled');
 
 describe('the form', () => {
-  it('has these fields, and says where a value is invalid', async () => {
+  it('has the fields of the golden file, and reports an invalid value below its field', async () => {
     const page = await openWorkshop();
     const lines = fieldsOf(page).map((field) => {
       const control = controlOf(field);
@@ -69,7 +69,7 @@ describe('the form', () => {
     expect(page.text('hud')).toContain('Fleet 3');
   });
 
-  it('shows the numbers of a network only for a network of one’s own, and any speed of a link', async () => {
+  it('shows network numbers for a custom network only, and offers any speed that a link sets', async () => {
     const page = await openWorkshop('?scenario=settle&slow=0.3');
     const custom = page.field('Delay, ms').parentElement!.parentElement!;
     expect(custom.hidden).toBe(true);
@@ -85,7 +85,7 @@ describe('the form', () => {
     expect(speeds()).toHaveLength(7);
   });
 
-  it('slows the world down, and brings it back to its speed', async () => {
+  it('slows the world down and speeds it up', async () => {
     const page = await openWorkshop();
     const recorded = () => Number(/Recorded (\d+) s/.exec(page.text('dock'))![1]);
     page.choose('Speed', '0.1');
@@ -96,7 +96,7 @@ describe('the form', () => {
     expect(recorded()).toBe(5);
   });
 
-  it('leaves to a real server what is a real server’s', async () => {
+  it('disables what only the built-in server can change', async () => {
     const page = await openWorkshop();
     const disabled = () => [
       fieldsOf(page)
@@ -115,6 +115,9 @@ describe('the form', () => {
           'Jitter, ms',
           'Stalled, %',
           'Stall, ms',
+          'Up delay, ms',
+          'Up jitter, ms',
+          'Up stalled, %',
           'Speed',
           'Body',
           'Ship',
@@ -148,7 +151,7 @@ describe('the form', () => {
     expect(disabled()).toEqual([[], []]);
   });
 
-  it('has a box for each overlay, and explains those that are on', async () => {
+  it('has a check box for each overlay, and a legend of those that are on', async () => {
     const page = await openWorkshop('?scenario=settle&show=footprint');
     const boxes = all(page.part('panel'), 'input').filter(
       (input) => (input as HTMLInputElement).type === 'checkbox',
@@ -160,7 +163,7 @@ describe('the form', () => {
     expect(all(page.part('panel'), 'li').filter(({ className }) => className !== '').length).toBe(0);
   });
 
-  it('begins a demonstration with the workshop open, and a mission or free flight with it folded', async () => {
+  it('opens the workshop for a demonstration, and closes it for a mission or free flight', async () => {
     const isOpen = async (query: string) => {
       const { document } = await openPage(query);
       return [
@@ -184,7 +187,7 @@ describe('the form', () => {
     expect(page.document.body.classList.contains('workshop')).toBe(false);
   });
 
-  it('names the values of a link that are invalid', async () => {
+  it('names the invalid values of a link', async () => {
     expect((await openPage('?seed=0.5')).text('notice')).toContain('got “0.5”');
     const page = await openPage('?scenario=nowhere&seed=-1');
     expect(page.text('notice')).toContain('Some values in this link are invalid and were ignored.');

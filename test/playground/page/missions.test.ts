@@ -7,7 +7,7 @@ import { openPage } from './openPage';
 
 useGameClock();
 
-it('races the run of a link, and says where it is none', async () => {
+it('races the run in a link, and says why another link has none', async () => {
   const run = verifyRun(MISSIONS[0]!, [])!;
   const invited = await openPage(raceQuery(run, 'Ann'));
   await invited.until(() => invited.text('notice').includes('Race Ann: '));
@@ -18,7 +18,7 @@ it('races the run of a link, and says where it is none', async () => {
   expect(wrong.text('notice')).toContain('run: the link names no mission in scenario=');
 });
 
-it('says that a ship has crashed where nothing else is at stake, and of free flight what it is', async () => {
+it('shows a card for a crash in a demonstration, and the title of free flight', async () => {
   const page = await openPage('?scenario=crash');
   page.play(1);
   expect(page.text('card')).toBe('');
@@ -38,7 +38,7 @@ it('says that a ship has crashed where nothing else is at stake, and of free fli
   expect(page.query()).toBe('?scenario=school-translate');
 });
 
-it('advises the pilot, and nobody while the autopilot flies', async () => {
+it('advises the pilot, but not while the autopilot flies', async () => {
   const page = await openPage('?scenario=first-landing');
   page.play(3);
   const advice = /(speed|thrust F|thrust V)$/;

@@ -146,7 +146,7 @@ it('the legend names the overlays that are on, each colour with its meaning', ()
 });
 
 describe('the panel', () => {
-  it('offers nothing that a server of another page does not take, and says nothing of its world', () => {
+  it('disables what another page’s server refuses, and does not describe its world', () => {
     const { root, part } = createPart();
     const listeners = { change: () => null, action: () => undefined, workshop: () => undefined };
     const panel = createPanel(part, { workshopOpen: false }, { ...listeners, failed: () => undefined });

@@ -41,7 +41,7 @@ describe('keyframes', () => {
     expect(Math.max(...work.map(({ substeps }) => substeps))).toBeGreaterThan(SHIPS * 10);
   });
 
-  it('are the same made in slices: each slice goes on where the last one stopped', () => {
+  it('are the same if made in slices, each continuing where the last one stopped', () => {
     const sliced = createKeyframes(recording);
     let slices = 0;
     for (let left = 0; slices * 100 < entries.length; slices++) {
@@ -68,7 +68,7 @@ describe('a replay', () => {
     }
   });
 
-  it('stands after a step forward and one back where it stood before, between two frames as well', () => {
+  it('returns to the same position after a step forward and one back, also between two frames', () => {
     const replay = createReplay(recording);
     replay.prepare(() => false);
     for (const at of [39.5, 12.2, 25]) {

@@ -24,7 +24,7 @@ const frameAt = (tick: number): ServerFrame => ({
 });
 const whole = (at: number) => received(at, frameAt(at));
 
-it('keeps what it took, with the plan and a note, from its first entry to its last', () => {
+it('keeps all entries, with the plan and a note', () => {
   const recorder = createRecorder();
   expect([recorder.seconds(), recorder.hasDropped()]).toEqual([0, false]);
   const plan = [{ at: 1 }] as never;
@@ -62,7 +62,7 @@ it('keeps one object for controls that are held, and another for any that differ
   }
 });
 
-it('packs whole frames, and gives them back as they were', () => {
+it('packs complete frames and restores them unchanged', () => {
   const recorder = createRecorder();
   recorder.take(whole(7));
   const [entry] = recorder.recording('').entries;
@@ -70,7 +70,7 @@ it('packs whole frames, and gives them back as they were', () => {
   expect(entry).not.toBe(recorder.recording('').entries[0]);
 });
 
-it('keeps a frame’s own bytes where it has them, and encodes none', () => {
+it('keeps the received bytes of a frame instead of encoding it again', () => {
   const recorder = createRecorder();
   const entry = whole(7);
   recorder.take(entry, encodeServerMessage(frameAt(8)));

@@ -147,7 +147,7 @@ describe('the server in the page', () => {
     expect(ticks).toEqual([...ticks].sort((a, b) => a - b));
   });
 
-  it('has one link per direction', () => {
+  it('delays each direction separately', () => {
     const slow = { ...NETWORK_PRESETS.lan, delay: 0.5 };
     const answered = (change: object) => {
       const session = loaded({ network: NETWORK_PRESETS.lan, ...change });

@@ -89,7 +89,7 @@ describe('a real server', () => {
     expect(messages.find(flying)).toMatchObject({ lastInput: { seq: 1 } });
   });
 
-  it('that closes the connection is reported and called again, with one socket at any time', async () => {
+  it('that closes the connection is reported and reconnected to, with at most one socket', async () => {
     const { handlers, messages, told, until } = ear();
     connection = openServer(server.address, handlers);
     await until(() => messages.length > 0);
@@ -216,7 +216,7 @@ describe('the game’s own server', () => {
     ]);
   });
 
-  it('that refuses is not called again automatically, and the page says why', async () => {
+  it('that refuses is not retried automatically, and the page says why', async () => {
     const { handlers, told, until } = ear();
     sockets.on('connection', (socket) => socket.close(4003, 'Origin not allowed'));
     connection = openServer(`${address()}?token=jwt`, handlers);

@@ -74,7 +74,7 @@ describe('a guest', () => {
     expect(told.slice(-3)).toEqual(['link ', 'settle on hills', 'open world']);
   });
 
-  it('ignores what is for another guest: its own silence goes on', () => {
+  it('ignores messages for another guest, which do not end its own silence', () => {
     const { channel, hear, sent, told } = openGuest();
     hear(WORLD);
     const heard = told.length;
@@ -87,7 +87,7 @@ describe('a guest', () => {
     expect(sent).toEqual([JOIN, JOIN]);
   });
 
-  it('that is hidden for good leaves, and knocks again if the page comes back', () => {
+  it('leaves when its page is closed, and knocks again if the page comes back', () => {
     const window = new EventTarget();
     vi.stubGlobal('window', window);
     const { connection, channel, hear, sent } = openGuest();

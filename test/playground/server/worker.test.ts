@@ -113,7 +113,7 @@ describe('the worker', () => {
     expect(heard()).toEqual(['hello', 'frame']);
   });
 
-  it('sends what the page needs alone, and does not wake before something is due', () => {
+  it('sends only what the page needs, and does not wake before something is due', () => {
     serve([]);
     operate({ ...LOAD, network: NETWORK_PRESETS.broadband });
     vi.advanceTimersByTime(10_000);

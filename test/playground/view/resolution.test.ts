@@ -14,7 +14,7 @@ describe('resolution', () => {
     expect(play(createResolution(), 60, () => 60)).toEqual([1]);
   });
 
-  it('goes down step by step as far as a machine limited by pixels needs', () => {
+  it('is reduced step by step as far as a machine limited by pixels needs', () => {
     const resolution = createResolution();
     expect(play(resolution, 60, (share) => 15 / share ** 2)).toEqual([1, 0.8, 0.62]);
   });

@@ -24,7 +24,7 @@ describe('the size of the picture', () => {
     },
   );
 
-  it('is looked at anew where the canvas or the screen changes', () => {
+  it('is read again when the canvas or the screen changes', () => {
     const queries: string[] = [];
     const heard: { listener: () => void; options: unknown }[] = [];
     let seen = 0;
@@ -110,7 +110,7 @@ describe('the frame loop', () => {
     expect(root.dataset).toEqual({ ready: 'true' });
   });
 
-  it('fits the picture after a resize, once, and where it is drawn with other pixels', () => {
+  it('fits the picture once after a resize, or when the pixel ratio changes', () => {
     const { frame, state, loop } = createPage();
     loop.resized();
     expect(frame(0)).toContain('fit');
@@ -121,7 +121,7 @@ describe('the frame loop', () => {
     expect(frame(30)).toEqual(['paint fast']);
   });
 
-  it('is warm without a picture', () => {
+  it('counts as warm at once without a picture', () => {
     const { frame, loop } = createPage('', { hasScene: false });
     expect([frame(0), loop.isWarm()]).toEqual([['paint', 'measure 0', 'opened'], true]);
   });
@@ -143,7 +143,7 @@ describe('the frame loop', () => {
   });
 });
 
-it('the camera’s key goes through all views in turn, and names each', () => {
+it('the camera key cycles through all views and names each', () => {
   const done: string[] = [];
   const scene = { setCamera: (view: string) => done.push(view) } as unknown as SceneView;
   const banner = { flash: (text: string) => done.push(text) };

@@ -25,7 +25,7 @@ describe('a frame after the newest one', () => {
     expect(kindOf(frame(tick), now)).toBe('newest');
   });
 
-  it('is of the future where the server cannot have come as far', () => {
+  it('is from the future if the server cannot have reached its tick', () => {
     expect(kindOf(frame(TICK + 22), 0)).toBe('future');
     expect(kindOf(frame(TICK + 5000), 1)).toBe('future');
   });

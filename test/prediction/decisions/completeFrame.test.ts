@@ -60,7 +60,7 @@ describe('a frame without its optional members', () => {
     expect(scale).toMatchObject({ reason: expect.stringMatching(/^frame\.timeScale/) as string });
   });
 
-  it('keeps the records of a list and counts what else is in it', () => {
+  it('keeps the records of a list and counts its other entries', () => {
     const { result, session } = completed({ ...bare, ships: [null, STILL, 7] as never });
     expect(value(result).ships).toEqual([STILL]);
     expect(session.counters).toMatchObject({ shipsRefused: 1, lastRefusal: 'frame.ships: expected records' });
@@ -82,7 +82,7 @@ describe('an acknowledgement', () => {
     { ...input, tick: TICK + 2, substep: 0 },
     { ...input, margin: Number.NaN },
     { ...input, seq: 1.5 },
-  ])('of what cannot have been applied is dropped and counted: %o', (given) => {
+  ])('of an input that cannot have been applied is dropped and counted: %o', (given) => {
     const { result, session } = completed({ ...bare, lastInput: given });
     expect(value(result).lastInput).toBeNull();
     expect(session.counters.acknowledgementsRefused).toBe(1);

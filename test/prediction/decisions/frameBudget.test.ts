@@ -25,7 +25,7 @@ describe('ships whose substeps exceed three quarters of the budget', () => {
     expect(own.off || own.mode !== 'stepping').toBe(true);
   });
 
-  it('stay on where only this frame is long, and catch up by replay', () => {
+  it('stay on if only this frame is long, and catch up by replay', () => {
     const { sim, budget, own, near } = fleetOf(9);
     for (let i = 0; i < 10; i++) keepWithinBudget(sim, budget, 10);
     keepWithinBudget(sim, budget, 700);
@@ -48,7 +48,7 @@ describe('ships whose substeps exceed three quarters of the budget', () => {
     expect(near[8]).toMatchObject({ mode: 'stepping', replaying: true, replayTick: 97, replaySubstep: 4 });
   });
 
-  it('come back, the nearest first, once four fifths of it are enough', () => {
+  it('return, the nearest first, once four fifths of the budget suffice', () => {
     const { sim, budget, near } = fleetOf(9);
     keepWithinBudget(sim, budget, 150);
     // 750 / 100 = 7.5 ships could step; 0.8 of them may be on.

@@ -36,7 +36,7 @@ function seated(substep = 3) {
 }
 
 describe('a sample of the controls', () => {
-  it('makes no input if they are already in force', () => {
+  it('creates no input if the controls are already in force', () => {
     const { pilot, inForce, sample } = seated();
     expect(sample({})).toEqual([]);
     expect(pilot.last).toEqual(inForce);
@@ -46,7 +46,7 @@ describe('a sample of the controls', () => {
     ['substep', 3, [TICK, 3]],
     ['tick', 3, [TICK + 1, 0]],
     ['tick', 0, [TICK, 0]],
-  ] as const)('by the %s at substep %i acts at %o', (granularity, substep, stamp) => {
+  ] as const)('with granularity %s at substep %i acts at %o', (granularity, substep, stamp) => {
     const { sim, sample } = seated(substep);
     expect(sample({ thrustLevel: 0.5 }, granularity)).toEqual([[...stamp, 0.5]]);
     expect(sim.inputs.records[0]).toMatchObject({
@@ -74,7 +74,7 @@ describe('a sample of the controls', () => {
     expect(pilot.last).toBeNull();
   });
 
-  it('with keys held before an absence has them released until they change', () => {
+  it('releases keys held before an absence until they change', () => {
     const { sim, pilot, inForce, sample } = seated();
     const held = { rotationInput: [1, 0, 0] as const };
     pilot.released = { ...inForce, ...held };
@@ -85,7 +85,7 @@ describe('a sample of the controls', () => {
     expect(sim.inputs.records.at(-1)!.record.controls.rotationInput).toEqual([0, 1, 0]);
   });
 
-  it('ends the plan, also with the controls in force', () => {
+  it('ends the plan, even if it equals the controls in force', () => {
     const { sim, inForce, sample } = seated();
     sim.inputs.plan = [{ tick: TICK + 9, substep: 0, controls: inForce }];
     expect(sample({})).toEqual([[TICK, 3, 0]]);
@@ -142,7 +142,7 @@ describe('a ship predicted on the ground', () => {
     return { sim, rows, radius, learn };
   }
 
-  it('that climbs on the server has bounced, after two ticks wrongly on the ground', () => {
+  it('has bounced if it climbs on the server, after two ticks wrongly on the ground', () => {
     const { sim, radius, learn } = predictedDown();
     const fit = learn();
     expect(fit).toMatchObject({ bounces: true, groundedRightly: 0 });
@@ -152,7 +152,7 @@ describe('a ship predicted on the ground', () => {
     expect(fit.rebound).toBeCloseTo(Math.sqrt(9 + 4 * gravity) / 10, 6);
   });
 
-  it('is shown as bouncing while that was wrong for 20 ms longer than right, the last touch counting most', () => {
+  it('is shown as bouncing once its contacts were wrong for 20 ms longer than right; the last touch counts most', () => {
     const { rows, learn } = predictedDown();
     learn();
     rows[SURFACE_STATE] = CONTACT;
@@ -171,7 +171,7 @@ describe('a ship predicted on the ground', () => {
     ['falls on the server', { climb: -1 }],
     ['flies here too', { here: FLYING }],
     ['was on the ground before', { before: CONTACT }],
-  ])('teaches nothing where it %s', (_, how) => {
+  ])('is not evaluated if it %s', (_, how) => {
     expect(predictedDown(how).learn()).toMatchObject({
       groundedWrongly: 0,
       groundedRightly: 0,
@@ -179,7 +179,7 @@ describe('a ship predicted on the ground', () => {
     });
   });
 
-  it('is not judged without a prediction', () => {
+  it('is not evaluated without a prediction', () => {
     expect(predictedDown().learn(null).groundedWrongly).toBe(0);
   });
 });

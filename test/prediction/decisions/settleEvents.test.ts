@@ -39,7 +39,7 @@ describe('an event of the server', () => {
     expect(settle({ events })).toEqual([]);
   });
 
-  it('is reported by itself where none was predicted', () => {
+  it('is reported by itself if none was predicted', () => {
     const { settle } = touching(TICK + 50);
     expect(settle({ events: [contact(TICK - 3)] })).toEqual(['confirmed']);
   });
@@ -57,7 +57,7 @@ describe('an event of the server', () => {
     expect(sim.notices).toEqual([]);
   });
 
-  it('of an outage is reported back to the frame before it, of a longer history not', () => {
+  it('during an outage is reported back to the last frame before it, but not beyond the history', () => {
     const { sim, receiver } = touching(TICK + 50);
     sim.ringLength = 12;
     receiver.eventsTick = 20;
@@ -99,7 +99,7 @@ describe('a predicted event that the server does not send', () => {
     expect(receiver.sendsEvents).toBe(false);
   });
 
-  it('is retracted where the state agrees with a later pass that has it not', () => {
+  it('is retracted if the state agrees with a later pass that lacks it', () => {
     const { track, settle } = touching(TICK - COVER);
     track.agreedTick = TICK;
     track.pass += 1;
@@ -113,7 +113,7 @@ describe('a predicted event that the server does not send', () => {
     expect(settle()).toEqual(['retracted']);
   });
 
-  it('of before the state that the last replay began at is not judged by agreement', () => {
+  it('from before the state at which the last replay began is not confirmed by agreement', () => {
     const { sim, track, receiver, settle } = touching(TICK - COVER);
     receiver.sendsEvents = false;
     startReplay(track, sim, TICK - 2, track.serverRow, 0);
@@ -123,7 +123,7 @@ describe('a predicted event that the server does not send', () => {
     expect(settle()).toEqual([]);
   });
 
-  it('stays open for a ship that the frame has not', () => {
+  it('stays open for a ship that is missing from the frame', () => {
     const { track, settle } = touching(TICK - COVER);
     track.serverTick = TICK - 1;
     expect(settle()).toEqual([]);

@@ -36,7 +36,7 @@ describe('a ship is at rest', () => {
     expect(isAtRest(track.serverRow, 0)).toBe(expected);
   });
 
-  it('at thrust without fuel, and not in contact', () => {
+  it('with thrust but no fuel, and not in contact', () => {
     const { track, sim } = landed();
     track.serverRow[THRUST_LEVEL] = 1;
     track.serverRow[FUEL] = 0;
@@ -86,7 +86,7 @@ describe('a ship first seen', () => {
     ['stepped already', { mode: 'stepping' }, 'stepping'],
     ['drawn where it is held', { hasHeld: true }, 'waiting'],
     ['while rollbacks are forced', { isForced: true }, 'waiting'],
-  ])('%s: it sleeps at once only if nothing is known of it but that it rests', (_, given, after) => {
+  ])('%s: it sleeps at once only if all that is known is that it rests', (_, given, after) => {
     const { thrust = 0, mode = 'waiting', hasHeld = false, isForced = false } = given;
     const { sim, track, bodies } = landed();
     track.mode = mode;

@@ -138,26 +138,23 @@ describe.skipIf(program === null)('a page in Chromium', () => {
   }
 
   // A blocked thread, not Page.setWebLifecycleState: without a window no page is hidden, and none freezes.
-  it.each([5, 60])(
-    'is right again after its thread was blocked for %i s with a key held',
-    async (seconds) => {
-      await withKeyHeld(() =>
-        page.evaluate((length) => {
-          const until = performance.now() + length * 1000;
-          while (performance.now() < until);
-        }, seconds),
-      );
-    },
-  );
+  it.each([5, 60])('recovers after its thread was blocked for %i s with a key held', async (seconds) => {
+    await withKeyHeld(() =>
+      page.evaluate((length) => {
+        const until = performance.now() + length * 1000;
+        while (performance.now() < until);
+      }, seconds),
+    );
+  });
 
-  it('is right again after the server was down for 3 s and counts from 0', async () => {
+  it('recovers after the server was down for 3 s and counts from 0', async () => {
     socket.server.stand(socket.now(), 3);
     await wait(3);
     socket.server.restart(socket.now(), 0);
     await expectRight();
   });
 
-  it('flies another ship, and leaves the one before alone', async () => {
+  it('flies another ship, and no longer controls the previous one', async () => {
     await hold(1);
     await page.evaluate((id) => {
       window.client.predictor.setOwnShip(id);

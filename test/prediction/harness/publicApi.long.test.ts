@@ -6,7 +6,7 @@ import { breaksOf } from './verdict';
 
 const SEEDS = { first: 1, count: 100 };
 
-it('holds what PREDICTION says, whatever server, network and page do', () => {
+it('does what PREDICTION says, whatever server, network and page do', () => {
   const broken: string[] = [];
   for (let seed = SEEDS.first; seed < SEEDS.first + SEEDS.count; seed++) {
     try {

@@ -99,7 +99,7 @@ describe('a removed ship', () => {
     ['destroyed', 1],
     ['docked', 0],
     ['gone', 0],
-  ] as const)('as %s tells %i events', (reason, count) => {
+  ] as const)('as %s causes %i events', (reason, count) => {
     const { session, sim } = flown();
     dropShip(session, 'own', reason);
     expect(sim.notices.filter(({ type }) => type === 'ship.destroyed')).toHaveLength(count);

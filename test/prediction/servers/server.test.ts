@@ -101,7 +101,7 @@ describe('a server operated at run time', () => {
     expect(rig.view().diagnosis.correctionsMismatch).toBe(0);
   });
 
-  it('shows no crash as final before the server does, and predicts a respawned ship', () => {
+  it('shows a crash only once the server does, and predicts a respawned ship', () => {
     const rig = createRig({ scenario: 'crash', network: { ...NETWORK_PRESETS.fourG, stallShare: 0 } });
     let early = 0;
     let predictedCrash = 0;

@@ -94,7 +94,7 @@ const FLIGHTS: Readonly<Record<string, (scene: Drawing) => void>> = {
   },
 };
 
-it.each(Object.entries(FLIGHTS))('%s, and all of it released', async (name, fly) => {
+it.each(Object.entries(FLIGHTS))('draws %s as recorded, and releases all of it', async (name, fly) => {
   const { scene, held, gpu, warnings } = openScene();
   fly(scene);
   expect([warnings, scene.hasDrawn()]).toEqual([[], false]);
@@ -114,7 +114,7 @@ it.each(Object.entries(FLIGHTS))('%s, and all of it released', async (name, fly)
   expect(held).toMatchObject({ Program: 1, Buffer: 0, VertexArray: 0 });
 });
 
-it('before its first picture, in it and after it', () => {
+it('answers before, during and after its first picture', () => {
   const { scene, held, gpu } = openScene();
   const axes = new Float64Array(9);
   expect([scene.screenAxes(axes), scene.hasDrawn()]).toEqual([false, false]);

@@ -34,7 +34,7 @@ describe('a run flown beside the pilot', () => {
   const inIcrf = (place: readonly [number, number, number]) =>
     new Vector3(...place).applyQuaternion(attitude);
 
-  it('is at its places, between two of them on the line, and stays at its ends', () => {
+  it('is at its recorded positions, interpolated linearly between them, and stays at either end', () => {
     const step = 1 / TRACK_RATE;
     for (const [seconds, place] of [
       [0, at(0)],
@@ -57,7 +57,7 @@ describe('a run flown beside the pilot', () => {
     expect(between.angleTo(attitude.clone().multiply(turned(6)))).toBeLessThan(1e-3);
   });
 
-  it('is a ship of the pilot’s class that nothing happens to, named after who flew it', () => {
+  it('is a ship of the pilot’s class that takes no part in the world, named after the pilot of the run', () => {
     expect([ghostAt(0).name, ghostAt(0, 'Ada').name]).toEqual(['Your best', 'Ada']);
     const ghost = ghostAt(0);
     expect(ghost).toMatchObject({
@@ -74,7 +74,7 @@ describe('a run flown beside the pilot', () => {
     expect([...ghost.velocity, ...ghost.thrust]).toEqual([0, 0, 0, 0, 0, 0]);
   });
 
-  it('is one object from frame to frame, another for another class, and none without a run or a ship', () => {
+  it('is the same object in each frame, another one for another class, and absent without a run or a ship', () => {
     const flight = createGhostFlight();
     expect(flight.join(view)).toBe(view);
     flight.race(run(''));
@@ -128,7 +128,7 @@ describe('the cards', () => {
     expect(chosen.splice(0)).toEqual(['restart']);
   });
 
-  it('say how the mission stands', () => {
+  it('show the state of the mission', () => {
     const title = (phase: string, mission = first) =>
       phaseCard(tracker(phase), mission, context())?.title ?? null;
     const phases = ['flying', 'crashed', 'tipped', 'beside', 'padReached', 'done'];

@@ -54,16 +54,16 @@ describe('a best run', () => {
   });
 });
 
-describe('where another has the world', () => {
+describe('in a world of another page or server', () => {
   const crashed = () => makeView({}, { shownState: 'crashed', provenance: 'confirmed' });
 
-  it('a real server’s is flown without a mission, however the page’s address names one', () => {
+  it('a real server has no mission, even if the address names one', () => {
     const { game, shown } = createGame('first-landing', undefined, 'ws://127.0.0.1:8787');
     expect([shown.title, shown.words]).toEqual(['Free flight', 'No goal: fly where you like.']);
     expect([game.tracker.mission(), game.tracker.pads()]).toEqual([null, []]);
   });
 
-  it('a guest has the host’s mission, but can neither skip, restart nor choose', () => {
+  it('a guest flies the host’s mission, but cannot skip, restart or choose', () => {
     const { game, shown } = createGame('school-land', undefined, 'tab:abc');
     expect(shown.title).toBe('Lesson 3: land');
     game.confirm();
@@ -94,7 +94,7 @@ describe('the goal', () => {
     expect(createGame('sidestep').shown.title).toBe('Sidestep');
   });
 
-  it('of a lesson names no skipping while the card has the key, and skips where it has another', () => {
+  it('of a lesson does not name the skip key while the card uses it, and skips if the card uses another', () => {
     const { game, shown } = createGame('school-right');
     game.watch(makeView({}, { shownState: 'tipped', provenance: 'confirmed' }));
     expect([shown.card!.title, shown.title]).toEqual([
@@ -109,7 +109,7 @@ describe('the goal', () => {
     expect(crashed.shown.title).toBe('Lesson 3: land');
   });
 
-  it('of free flight is none, but its keys are named', () => {
+  it('is absent in free flight, where only the keys are named', () => {
     const { shown } = createGame('free-flight');
     expect([shown.title, shown.words]).toEqual(['Free flight', 'No goal: fly where you like.']);
     expect(shown.how).toContain('upright {N}');

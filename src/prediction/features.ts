@@ -9,7 +9,7 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { extrapolate } from './simulation/extrapolate';
-import { rowsWithin } from './simulation/history';
+import { rowsWithin } from './simulation/rings/history';
 import {
   holdSleeping,
   placeAsleep,

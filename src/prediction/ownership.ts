@@ -1,6 +1,6 @@
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
-import { forgetAfter } from './simulation/history';
+import { forgetAfter } from './simulation/rings/history';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';

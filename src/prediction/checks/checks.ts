@@ -2,8 +2,8 @@ import type { Controls } from '../../dynamics';
 import type { PartialFrame, ServerMessage } from '../../wire';
 import type { Session } from '../session';
 import { type Calls, createCalls, noteAdvance, noteFrame, noteTaken, noteUntaken, noteView } from './calls';
-import { checkControls } from './controls';
-import { checkKind, checkMessage } from './messages';
+import { checkControls } from './records/controls';
+import { checkKind, checkMessage } from './records/messages';
 import { checkOptions } from './options';
 import { checkTerrains } from './terrains';
 

@@ -9,7 +9,7 @@ import {
   VELOCITY,
 } from '../../dynamics';
 import { wallOfTick } from '../time/timeline';
-import type { ServerStates } from '../simulation/serverStates';
+import type { ServerStates } from '../simulation/rings/serverStates';
 import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
 import { fadeFromHeld } from './correction';

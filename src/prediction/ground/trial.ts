@@ -1,7 +1,8 @@
 import { CRASHED, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import { advanceRow, placeStep } from '../simulation/stepRow';
-import { copyRow, createRowStep, type Track } from '../simulation/track';
+import { copyRow, type Track } from '../simulation/track';
+import { createRowStep } from '../simulation/rowStep';
 import type { GroundPlace } from './learnedGround';
 
 /** Two server states of one ship, between which the dynamics depend on the ground. */

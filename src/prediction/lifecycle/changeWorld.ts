@@ -2,7 +2,7 @@ import { GROUND_CONTACT_OFFSET, SHIP_CLASS, type World } from '../../dynamics';
 import { showWorld } from '../drawn/worldView';
 import { withoutGround } from '../ground/unknownGround';
 import { beginWorld, type Session } from '../session';
-import { forgetAfter } from '../simulation/history';
+import { forgetAfter } from '../simulation/rings/history';
 import { abandonReplay, hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';

@@ -26,7 +26,8 @@ import {
   vector,
 } from '../drawn/rotation';
 import type { Simulation } from './simulation';
-import type { RowStep, Track } from './track';
+import type { Track } from './track';
+import type { RowStep } from './rowStep';
 
 /** Extrapolates a ship by a substep or, above unknown ground, flies it by the dynamics. */
 export function extrapolate(step: RowStep, sim: Simulation, track: Track): void {

@@ -3,10 +3,11 @@ import { turnPicture } from '../drawn/changeBody';
 import { easeUprighting } from '../drawn/snap/uprighting';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import type { Position } from '../time/timeline';
-import { keep } from './history';
+import { keep } from './rings/history';
 import type { Simulation } from './simulation';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
-import { copyRow, type RowStep, type Track } from './track';
+import { copyRow, type Track } from './track';
+import type { RowStep } from './rowStep';
 
 /** Moves the front: every ship in step, substep by substep, up to the present. */
 

@@ -2,10 +2,11 @@ import { CRASHED, NO_EVENT } from '../../dynamics';
 import { easeCorrection, holdDrawn, captureDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
-import { keep } from './history';
+import { keep } from './rings/history';
 import type { Simulation } from './simulation';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
-import { copyRow, type RowStep, type Track } from './track';
+import { copyRow, type Track } from './track';
+import type { RowStep } from './rowStep';
 
 /**
  * Adopt and replay (PREDICTION, Reconciliation): a ship is reset to a state at a tick and simulated with all stored inputs since. What

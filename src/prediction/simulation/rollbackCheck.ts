@@ -1,8 +1,9 @@
 import { SHIP_STRIDE } from '../../dynamics';
-import { has, offsetOf } from './history';
+import { has, offsetOf } from './rings/history';
 import type { Simulation } from './simulation';
 import { advanceRow, placeStep } from './stepRow';
-import { copyRow, createRowStep, type Track } from './track';
+import { copyRow, type Track } from './track';
+import { createRowStep } from './rowStep';
 
 /**
  * The sync test of rollback netcode: at tick boundary `tick` every ship in step is reset by `ticks` ticks, replayed with the stored

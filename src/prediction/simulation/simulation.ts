@@ -1,19 +1,12 @@
-import {
-  BODY_STRIDE,
-  type BodyMotion,
-  type TerrainHeight,
-  type World,
-  setBodyMotion,
-  type writeBodyMotion,
-} from '../../dynamics';
+import type { BodyMotion, TerrainHeight, World, writeBodyMotion } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { ReceivedState } from '../ground/lastState';
 import type * as unknownGround from '../ground/unknownGround';
-import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
+import type { InputOutcome, Inputs } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import type { BodySpin } from '../snapshots/bodies/bodySpin';
-import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
+import type { BodyTrack } from '../snapshots/bodies/bodyTrack';
 import type * as checkedRecords from '../snapshots/checkedRecords';
 import type { gameTimeScale } from '../snapshots/gameTimeMeter';
 import type { Receiver } from '../snapshots/receiver';
@@ -21,13 +14,14 @@ import type { describeDifference, Place } from '../snapshots/reconcile/compare';
 import type { holdLaw, ComparedState } from '../snapshots/reconcile/lawErrors';
 import type { NewestState } from '../snapshots/snapshotContext';
 import type { loadUntrusted } from '../snapshots/worldConfig';
-import { type Cadence, createCadence } from '../time/cadence';
-import { createTimeline, type Position, type Timeline } from '../time/timeline';
+import type { Cadence } from '../time/cadence';
+import type { Position, Timeline } from '../time/timeline';
 import type * as touchdownLog from '../touchdown/touchdownLog';
 import type * as touchdownRing from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
-import { ringLength, type rowsWithin } from './history';
-import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
+import type { rowsWithin } from './rings/history';
+import type { Fleet, Track } from './track';
+import type { RowStep } from './rowStep';
 
 /** Takes a part of a frame that was received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
@@ -200,48 +194,4 @@ export interface Boundary {
 export interface TickedRow {
   readonly row: Float64Array;
   readonly tick: number;
-}
-
-/** Options of a simulation, in addition to its world. */
-export interface SimulationOptions {
-  readonly features: Features;
-  readonly counters: Diagnosis;
-  readonly warn: Warn;
-  /** Scheduled inputs of the player's ship. */
-  readonly plan: readonly ScheduledInput[];
-}
-
-/** Creates a simulation of `world` without ships or time. `bodies` are their motions, in the world's order. */
-export function createSimulation(
-  world: World,
-  bodies: readonly BodyMotion[],
-  { features, counters, warn, plan }: SimulationOptions,
-): Simulation {
-  const start = new Float64Array(bodies.length * BODY_STRIDE);
-  const write = features.records?.writeBodyMotion ?? setBodyMotion;
-  for (const [i, motion] of bodies.entries()) write(start, i * BODY_STRIDE, motion);
-  return {
-    world,
-    groundless: features.unknownGround?.withoutGround(world) ?? world,
-    timeline: createTimeline(world.settings.contactLongestSubstep),
-    bodies: createBodyTrack(start, ringLength(1), 100),
-    bodiesKnown: true,
-    spins: features.spin ? world.bodies.map(features.spin.createBodySpin) : [],
-    fleet: createFleet(),
-    steps: { front: createRowStep(), replay: createRowStep() },
-    inputs: createInputs(plan),
-    front: { tick: 0, substep: 0 },
-    frontIsStale: true,
-    alpha: 1,
-    ringLength: ringLength(1),
-    historyRows: ringLength(1),
-    cadence: createCadence(),
-    newestTick: -1,
-    notices: [],
-    learning: { tick: -1, spent: 0 },
-    features,
-    counters,
-    warn,
-    sleep: features.sleep ?? null,
-  };
 }

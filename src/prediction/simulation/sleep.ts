@@ -17,7 +17,7 @@ import {
 } from '../../dynamics';
 import { boundaryAt, knowsBoundary } from '../snapshots/bodies/bodyTrack';
 import { actsBetween } from '../inputs/scheduledInput';
-import { keep } from './history';
+import { keep } from './rings/history';
 import { writeBodyAttitude } from '../drawn/pose';
 import {
   compose,

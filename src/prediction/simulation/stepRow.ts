@@ -4,7 +4,8 @@ import { boundaryAt, rowsAt } from '../snapshots/bodies/bodyTrack';
 import { spanOf } from '../time/timeline';
 import { isReleased, release } from './heldControls';
 import type { Simulation } from './simulation';
-import { copyRow, type RowStep, type Track } from './track';
+import { copyRow, type Track } from './track';
+import type { RowStep } from './rowStep';
 
 /** Sets the row's time to the start of substep `substep` of `tick`. */
 export function placeStep(step: RowStep, sim: Simulation, tick: number, substepOfTick: number): void {

@@ -1,13 +1,12 @@
-import { NO_EVENT, SHIP_STRIDE } from '../../dynamics';
+import { SHIP_STRIDE } from '../../dynamics';
 import { createPicture, type Picture } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
 import { createLawFit, type LawFit } from '../snapshots/reconcile/lawErrors';
-import { createHistory, type History } from './history';
+import { createHistory, type History } from './rings/history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
 import { createLastState, type LastState } from '../ground/lastState';
-import type { Position } from '../time/timeline';
 import type { TouchdownRing } from '../touchdown/touchdownRing';
-import type { ServerStates } from './serverStates';
+import type { ServerStates } from './rings/serverStates';
 
 /** How a ship's present state is obtained. */
 export type Mode =
@@ -203,42 +202,4 @@ function grow(fleet: Fleet): void {
 /** Copies one row between two arrays. */
 export function copyRow(to: Float64Array, toAt: number, from: Float64Array, fromAt: number): void {
   for (let k = 0; k < SHIP_STRIDE; k++) to[toAt + k] = from[fromAt + k]!;
-}
-
-/**
- * One ship's row and its time: the step shared by the frame loop, replays, the rollback check, the touchdown log
- * and the fit of the ground. `tick` and `substep` are the start of the next substep.
- */
-export interface RowStep extends Position {
-  rows: Float64Array;
-  at: number;
-  /** The row at the start of the substep just taken, relative to its body after it. */
-  before: Float64Array;
-  beforeAt: number;
-  /** False if nothing reads `before`: it is then not written. */
-  keepsBefore: boolean;
-  /** Cursor into the inputs that act on the player's ship. */
-  inputs: number;
-  /** Rows of the bodies, turned for the substep just taken, and its game s (Span.step). */
-  bodies: Float64Array;
-  dt: readonly [dt: number, none: null];
-  /** The event of the last substep. */
-  event: number;
-}
-
-/** A step of the row at `at` in `rows`. */
-export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): RowStep {
-  return {
-    tick: 0,
-    substep: 0,
-    rows,
-    at,
-    before: new Float64Array(SHIP_STRIDE),
-    beforeAt: 0,
-    keepsBefore: true,
-    inputs: 0,
-    bodies: new Float64Array(0),
-    dt: [0, null],
-    event: NO_EVENT,
-  };
 }

@@ -1,6 +1,6 @@
 import type { ServerFrame } from '../../wire';
 import { forgetRecords } from '../inputs/inputs';
-import { fitRings } from '../simulation/fitRings';
+import { fitRings } from '../simulation/rings/fitRings';
 import type { Simulation } from '../simulation/simulation';
 import { clearFleet, removeTrack } from '../simulation/track';
 import { forgetCadence, noteSend } from '../time/cadence';

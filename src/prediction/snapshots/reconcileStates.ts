@@ -1,8 +1,8 @@
 import type { ServerFrame, ShipState } from '../../wire';
 import { inferApplied, type InputOutcome, prune } from '../inputs/inputs';
-import { has, offsetOf } from '../simulation/history';
+import { has, offsetOf } from '../simulation/rings/history';
 import { startReplay } from '../simulation/replay';
-import { historyLength } from '../simulation/fitRings';
+import { historyLength } from '../simulation/rings/fitRings';
 import type { Simulation } from '../simulation/simulation';
 import { addTrack, removeTrack } from '../simulation/track';
 import { unknownNameOf } from './reconcile/adopt';

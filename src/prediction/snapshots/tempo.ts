@@ -1,5 +1,5 @@
 import type { ServerFrame } from '../../wire';
-import { forgetAfter } from '../simulation/history';
+import { forgetAfter } from '../simulation/rings/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import { followTickRate, horizonOf } from '../time/cadence';

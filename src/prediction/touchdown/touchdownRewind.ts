@@ -12,14 +12,15 @@ import {
   VELOCITY,
 } from '../../dynamics';
 import { boundaryAt } from '../snapshots/bodies/bodyTrack';
-import { has, offsetOf } from '../simulation/history';
+import { has, offsetOf } from '../simulation/rings/history';
 import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
 import type { Simulation } from '../simulation/simulation';
 import { advanceRow, placeStep } from '../simulation/stepRow';
 import { indexOf, spanOf } from '../time/timeline';
 import { beginLog, LOGGED_STATE, logLiftOff, logState, logSubstep, logTouch } from './touchdownLog';
 import { type Adopted, createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
-import { copyRow, createRowStep, type Track } from '../simulation/track';
+import { copyRow, type Track } from '../simulation/track';
+import { createRowStep } from '../simulation/rowStep';
 
 /** Largest correction in addition to the distance flown, m; more is a respawn. */
 const MAX_CORRECTION = 100;

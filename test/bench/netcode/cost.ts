@@ -8,11 +8,11 @@ import { createAuthority } from '../../../src/authority';
 import { createPredictor } from '../../../src/prediction';
 import { createDiagnosis } from '../../../src/prediction/diagnosis';
 import { AWAKE_FEATURES } from '../../../src/prediction/features';
-import { createSimulation } from '../../../src/prediction/simulation/simulation';
+import { createSimulation } from '../../../src/prediction/simulation/createSimulation';
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { addTrack } from '../../../src/prediction/simulation/track';
 import { setTempo } from '../../../src/prediction/time/timeline';
-import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack';
+import { updateBodies } from '../../../src/prediction/snapshots/bodies/updateBodies';
 import { loadConfig } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;

@@ -13,7 +13,7 @@ import {
   writeControls,
 } from '../../../src/dynamics';
 import { createPilot, sampleControls } from '../../../src/prediction/inputs/pilot';
-import { keep } from '../../../src/prediction/simulation/history';
+import { keep } from '../../../src/prediction/simulation/rings/history';
 import { learnBounce } from '../../../src/prediction/snapshots/reconcile/bounceFit';
 import { RATE, sessionAt, shipAt } from './sessionAt';
 

@@ -1,10 +1,10 @@
 import { writeShip, SHIP_STRIDE, type SurfaceState } from '../../../src/dynamics';
 import { ALL_FEATURES } from '../../../src/prediction/features';
 import { createSession, type Session } from '../../../src/prediction/session';
-import { fitRings } from '../../../src/prediction/simulation/fitRings';
+import { fitRings } from '../../../src/prediction/simulation/rings/fitRings';
 import type { Simulation } from '../../../src/prediction/simulation/simulation';
 import { addTrack, type Track } from '../../../src/prediction/simulation/track';
-import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack';
+import { updateBodies } from '../../../src/prediction/snapshots/bodies/updateBodies';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { loadScenario } from '../../../src/scenarios';
 import { scenarioNamed, value } from '../rig';

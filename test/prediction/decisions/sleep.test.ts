@@ -8,7 +8,7 @@ import {
   THRUST_LEVEL,
   TRANSLATION_INPUT,
 } from '../../../src/dynamics';
-import { has } from '../../../src/prediction/simulation/history';
+import { has } from '../../../src/prediction/simulation/rings/history';
 import { isAtRest, sleepAtFirst, sleepIfAtRest, wake } from '../../../src/prediction/simulation/sleep';
 import type { Mode } from '../../../src/prediction/simulation/track';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';

@@ -17,7 +17,7 @@ import {
 } from '../../../src/dynamics';
 import { captureDrawn, easeCorrection, fadeFromHeld } from '../../../src/prediction/drawn/correction';
 import { rowOfPolicy } from '../../../src/prediction/drawn/interpolate';
-import { seeFromBody } from '../../../src/prediction/simulation/serverStates';
+import { seeFromBody } from '../../../src/prediction/simulation/rings/serverStates';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { wallOfTick } from '../../../src/prediction/time/timeline';
 import { conjugate, cross, plus, product, rotate, times, turnAbout, unit } from '../../dynamics/vectors';

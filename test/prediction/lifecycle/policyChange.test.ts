@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { POSITION, SHIP_STRIDE } from '../../../src/dynamics';
 import { createShipView } from '../../../src/prediction/drawn/viewing';
 import { changePolicy } from '../../../src/prediction/lifecycle/policy';
-import { createServerStates } from '../../../src/prediction/simulation/serverStates';
+import { createServerStates } from '../../../src/prediction/simulation/rings/serverStates';
 import type { Policy, Track } from '../../../src/prediction/simulation/track';
 import { sessionAt, shipAt } from '../decisions/sessionAt';
 

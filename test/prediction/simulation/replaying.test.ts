@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { CRASHED, POSITION, SHIP_STRIDE } from '../../../src/dynamics';
 import { replayTo } from '../../../src/prediction/ground/trial';
-import { has } from '../../../src/prediction/simulation/history';
+import { has } from '../../../src/prediction/simulation/rings/history';
 import { abandonReplay, hold, runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { realign } from '../../../src/prediction/snapshots/reconcile/realign';
 import { sessionAt, shipAt } from '../decisions/sessionAt';

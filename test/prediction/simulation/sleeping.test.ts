@@ -17,7 +17,7 @@ import {
   type Vec3,
   VELOCITY,
 } from '../../../src/dynamics';
-import { has, offsetOf } from '../../../src/prediction/simulation/history';
+import { has, offsetOf } from '../../../src/prediction/simulation/rings/history';
 import {
   holdSleeping,
   placeAsleep,

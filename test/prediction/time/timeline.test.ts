@@ -7,7 +7,7 @@ import {
   offsetOf,
   resized,
   ringLength,
-} from '../../../src/prediction/simulation/history';
+} from '../../../src/prediction/simulation/rings/history';
 import {
   changeLongestSubstep,
   createTimeline,

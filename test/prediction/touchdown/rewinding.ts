@@ -1,7 +1,7 @@
 import { expect } from 'vitest';
 import { IMPACT_SPEED, POSITION, SHIP_STRIDE, SURFACE_STATE, VELOCITY } from '../../../src/dynamics';
 import { replayTo } from '../../../src/prediction/ground/trial';
-import { keep } from '../../../src/prediction/simulation/history';
+import { keep } from '../../../src/prediction/simulation/rings/history';
 import type { Simulation } from '../../../src/prediction/simulation/simulation';
 import type { Track } from '../../../src/prediction/simulation/track';
 import {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { CONTACT, FLYING, IMPACT_SPEED, LANDED, POSITION, SURFACE_STATE } from '../../../src/dynamics';
-import { keep } from '../../../src/prediction/simulation/history';
+import { keep } from '../../../src/prediction/simulation/rings/history';
 import { sleepIfAtRest } from '../../../src/prediction/simulation/sleep';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { beginLog, LOGGED_STATE } from '../../../src/prediction/touchdown/touchdownLog';

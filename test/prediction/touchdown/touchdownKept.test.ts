@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { FLYING, LANDED, SURFACE_STATE } from '../../../src/dynamics';
 import { stepFront } from '../../../src/prediction/simulation/front';
-import { offsetOf } from '../../../src/prediction/simulation/history';
+import { offsetOf } from '../../../src/prediction/simulation/rings/history';
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { sleepIfAtRest, wake } from '../../../src/prediction/simulation/sleep';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';

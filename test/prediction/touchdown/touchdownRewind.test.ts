@@ -9,7 +9,7 @@ import {
   SHIP_STRIDE,
   VELOCITY,
 } from '../../../src/dynamics';
-import { keep } from '../../../src/prediction/simulation/history';
+import { keep } from '../../../src/prediction/simulation/rings/history';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { LOGGED_STATE, logLiftOff, logState } from '../../../src/prediction/touchdown/touchdownLog';
 import { keepLog } from '../../../src/prediction/touchdown/touchdownRing';

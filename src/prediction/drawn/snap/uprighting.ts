@@ -7,7 +7,8 @@ import {
   REFERENCE_BODY,
 } from '../../../dynamics';
 import type { Simulation } from '../../simulation/simulation';
-import type { RowStep, Track } from '../../simulation/track';
+import type { Track } from '../../simulation/track';
+import type { RowStep } from '../../simulation/rowStep';
 import { addToOffset } from '../correction';
 import { pose } from '../pose';
 import { compose, fromRotationVector, quaternion, seenFrom, take, vector } from '../rotation';

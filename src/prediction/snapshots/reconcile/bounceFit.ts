@@ -7,7 +7,7 @@ import {
   VELOCITY,
   type World,
 } from '../../../dynamics';
-import { has, offsetOf } from '../../simulation/history';
+import { has, offsetOf } from '../../simulation/rings/history';
 import type { Simulation } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 import type { Place } from './compare';

@@ -12,7 +12,7 @@ import {
 import { turnWithBody } from '../../drawn/interpolate';
 import { quaternion, take, vector } from '../../drawn/rotation';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
-import { createServerStates, seeFromBody, type ServerStates } from '../../simulation/serverStates';
+import { createServerStates, seeFromBody, type ServerStates } from '../../simulation/rings/serverStates';
 import type { Boundary, Simulation } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 

@@ -12,7 +12,7 @@ import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import { EXACT, type Field, firstDifference, type Place, writeError, writeInexact } from './compare';
 import { sameCommand } from '../../inputs/command';
 import { recalledImpact, recallWheels } from './recall';
-import { has, offsetOf } from '../../simulation/history';
+import { has, offsetOf } from '../../simulation/rings/history';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';

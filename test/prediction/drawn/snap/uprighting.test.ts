@@ -11,7 +11,7 @@ import type { WorldView } from '../../../../src/prediction';
 import { advanceEase, createEase, restartEase, springsOf } from '../../../../src/prediction/drawn/ease';
 import { LONG_AGO } from '../../../../src/prediction/drawn/picture';
 import { easeUprighting, uprights } from '../../../../src/prediction/drawn/snap/uprighting';
-import { createRowStep } from '../../../../src/prediction/simulation/track';
+import { createRowStep } from '../../../../src/prediction/simulation/rowStep';
 import { product, turnAbout, unit } from '../../../dynamics/vectors';
 import { sessionAt, shipAt } from '../../decisions/sessionAt';
 import { createRig } from '../../rig';

@@ -17,8 +17,8 @@ import {
   resizedBodies,
   rowsAt,
   startBodiesAt,
-  updateBodies,
 } from '../../../../src/prediction/snapshots/bodies/bodyTrack';
+import { updateBodies } from '../../../../src/prediction/snapshots/bodies/updateBodies';
 import { createTimeline, setTempo } from '../../../../src/prediction/time/timeline';
 import { angleBetween, product, times, turnAbout, unit } from '../../../dynamics/vectors';
 

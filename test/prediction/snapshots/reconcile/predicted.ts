@@ -11,7 +11,7 @@ import {
   VELOCITY,
   WHEEL_MOMENTUM,
 } from '../../../../src/dynamics';
-import { keep } from '../../../../src/prediction/simulation/history';
+import { keep } from '../../../../src/prediction/simulation/rings/history';
 import { placeAsleep, sleepIfAtRest } from '../../../../src/prediction/simulation/sleep';
 import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrack';
 import { reconcile } from '../../../../src/prediction/snapshots/reconcile/reconcile';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BODY_ATTITUDE, CRASHED, IMPACT_SPEED, POSITION } from '../../../../src/dynamics';
-import { has } from '../../../../src/prediction/simulation/history';
+import { has } from '../../../../src/prediction/simulation/rings/history';
 import { sleepIfAtRest } from '../../../../src/prediction/simulation/sleep';
 import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrack';
 

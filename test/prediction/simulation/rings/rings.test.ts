@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { SHIP_STRIDE } from '../../../src/dynamics';
+import { SHIP_STRIDE } from '../../../../src/dynamics';
 import {
   createHistory,
   forgetAfter,
@@ -9,8 +9,8 @@ import {
   resized,
   ringLength,
   rowsWithin,
-} from '../../../src/prediction/simulation/history';
-import { beginLog, LOG_STRIDE, LOGGED_STATE } from '../../../src/prediction/touchdown/touchdownLog';
+} from '../../../../src/prediction/simulation/rings/history';
+import { beginLog, LOG_STRIDE, LOGGED_STATE } from '../../../../src/prediction/touchdown/touchdownLog';
 import {
   createTouchdownRing,
   forgetLogsAfter,
@@ -18,7 +18,7 @@ import {
   logAt,
   logLanded,
   resizeLogs,
-} from '../../../src/prediction/touchdown/touchdownRing';
+} from '../../../../src/prediction/touchdown/touchdownRing';
 
 const rowOf = (value: number) => new Float64Array(2 * SHIP_STRIDE).fill(value, SHIP_STRIDE);
 const logOf = (state: number) => {

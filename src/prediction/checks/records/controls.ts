@@ -1,7 +1,7 @@
-import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../../dynamics';
-import type { Warn } from '../warnings';
-import { describe } from './describe';
-import { nearestName, warnOfUnknown } from './names';
+import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../../../dynamics';
+import type { Warn } from '../../warnings';
+import { describe } from '../describe';
+import { nearestName, warnOfUnknown } from '../names';
 
 const NAMING = {
   code: 'unknown-control',

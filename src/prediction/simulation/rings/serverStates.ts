@@ -7,8 +7,8 @@ import {
   POSITION,
   REFERENCE_BODY,
   VELOCITY,
-} from '../../dynamics';
-import { cross, put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
+} from '../../../dynamics';
+import { cross, put, quaternion, rotateBack, seenFrom, take, vector } from '../../drawn/rotation';
 
 /**
  * The newest server states of one ship, oldest first, for interpolation. In each row position, velocity, attitude and

@@ -1,5 +1,5 @@
-import type { BodyState } from '../../wire';
-import type { Warn } from '../warnings';
+import type { BodyState } from '../../../wire';
+import type { Warn } from '../../warnings';
 
 /** kg/m³: a comet is denser than the first, and a planet far below the second. */
 const MIN_DENSITY = 50;

@@ -1,5 +1,5 @@
-import type { BodyState, ShipState } from '../../wire';
-import type { Warn } from '../warnings';
+import type { BodyState, ShipState } from '../../../wire';
+import type { Warn } from '../../warnings';
 
 /** A known body. One that frames do not carry has no position: it has moved since it was passed. */
 export type KnownBody = Omit<BodyState, 'position'> & {

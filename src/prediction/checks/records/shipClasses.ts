@@ -1,6 +1,6 @@
-import { type LoadedShipClass, loadShipClass, SHIP_CLASSES, type ShipClass } from '../../dynamics';
-import type { Warn } from '../warnings';
-import { warnOfUnknown } from './names';
+import { type LoadedShipClass, loadShipClass, SHIP_CLASSES, type ShipClass } from '../../../dynamics';
+import type { Warn } from '../../warnings';
+import { warnOfUnknown } from '../names';
 
 /** m/s² at full mass: less than the first lifts off nowhere, more than the second kills the pilot. */
 const MIN_ACCELERATION = 0.05;

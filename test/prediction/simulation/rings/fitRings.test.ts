@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { fitRings, historyLength } from '../../../src/prediction/simulation/fitRings';
-import { has, keep, ringLength } from '../../../src/prediction/simulation/history';
-import { sessionAt, shipAt } from '../decisions/sessionAt';
+import { fitRings, historyLength } from '../../../../src/prediction/simulation/rings/fitRings';
+import { has, keep, ringLength } from '../../../../src/prediction/simulation/rings/history';
+import { sessionAt, shipAt } from '../../decisions/sessionAt';
 
 const TICK = 100;
 

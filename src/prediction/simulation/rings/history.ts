@@ -1,4 +1,4 @@
-import { SHIP_STRIDE } from '../../dynamics';
+import { SHIP_STRIDE } from '../../../dynamics';
 
 /**
  * A ring of one ship's predicted rows at tick boundaries (PREDICTION, Reconciliation): slot = tick mod length.

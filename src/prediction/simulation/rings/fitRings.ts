@@ -1,7 +1,7 @@
-import { keptTicks, resizedBodies } from '../snapshots/bodies/bodyTrack';
+import { keptTicks, resizedBodies } from '../../snapshots/bodies/bodyTrack';
 import { resized, ringLength, ROW_BYTES } from './history';
-import type { Simulation } from './simulation';
-import type { Track } from './track';
+import type { Simulation } from '../simulation';
+import type { Track } from '../track';
 
 /** Sizes the rings of predicted states: of ten seconds, or fewer if that exceeds the limit of rowsWithin. */
 

@@ -1,9 +1,9 @@
-import type { PartialFrame, ServerMessage, ShipState } from '../../wire';
-import type { Warn } from '../warnings';
+import type { PartialFrame, ServerMessage, ShipState } from '../../../wire';
+import type { Warn } from '../../warnings';
 import { checkBodies } from './bodies';
-import { describe, kindOf } from './describe';
-import { nearestName, warnOfUnknown } from './names';
-import { checkSettings } from './options';
+import { describe, kindOf } from '../describe';
+import { nearestName, warnOfUnknown } from '../names';
+import { checkSettings } from '../options';
 import { checkShip, type KnownBody } from './ships';
 
 const FRAME = {

@@ -1,6 +1,6 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { readFlight } from '../game/mission/runText';
-import { TAB_ADDRESS } from '../server/tabAddress';
+import { MAX_PILOT_NAME, TAB_ADDRESS } from '../server/tabAddress';
 import { FREE_FLIGHT, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
 /** The choices of the page, all of them in the URL. */
@@ -166,8 +166,8 @@ const FIELDS: readonly Field[] = [
   {
     name: 'pilot',
     key: 'name',
-    expects: 'at most 24 characters',
-    read: (text) => (text.length <= 24 && !/\p{Surrogate}/u.test(text) ? text : undefined),
+    expects: `at most ${MAX_PILOT_NAME} characters`,
+    read: (text) => (text.length <= MAX_PILOT_NAME && !/\p{Surrogate}/u.test(text) ? text : undefined),
   },
   {
     name: 'flight',

@@ -78,6 +78,17 @@ export function createSelect(
   return select;
 }
 
+/** A text field. Enter ends it, so that the keys fly again. */
+export function createText(document: Document, placeholder: string): HTMLInputElement {
+  const input = document.createElement('input');
+  input.type = 'text';
+  input.placeholder = placeholder;
+  input.addEventListener('keydown', ({ key }) => {
+    if (key === 'Enter') input.blur();
+  });
+  return input;
+}
+
 export function createNumber(document: Document, low: number, high: number, step: number): HTMLInputElement {
   const input = document.createElement('input');
   input.type = 'number';

@@ -1,7 +1,7 @@
 import { findScenario, FREE_FLIGHT, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
-import { isRealServer } from '../server/tabAddress';
+import { isRealServer, MAX_PILOT_NAME } from '../server/tabAddress';
 import type { Choices } from './choices';
-import { append, appendButton, appendDetails, createSelect } from './elements';
+import { append, appendButton, appendDetails, createSelect, createText } from './elements';
 import { createForm } from './form';
 import type { ButtonRow, PanelAction, WorkshopParts } from './panelActions';
 
@@ -124,15 +124,10 @@ function appendWorlds(row: Element, change: PanelListeners['change']): readonly 
   ];
 }
 
-/** For those who fly together or race a link. Enter ends it, so that the keys fly again. */
+/** For those who fly together or race a link. */
 function createNameField(document: Document): HTMLInputElement {
-  const field = document.createElement('input');
-  field.type = 'text';
-  field.maxLength = 24;
-  field.placeholder = 'as others see it';
-  field.addEventListener('keydown', ({ key }) => {
-    if (key === 'Enter') field.blur();
-  });
+  const field = createText(document, 'as others see it');
+  field.maxLength = MAX_PILOT_NAME;
   return field;
 }
 

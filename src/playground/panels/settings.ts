@@ -1,6 +1,6 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { type Choices, NETWORKS, OVERLAY_NAMES, type OverlayName } from './choices';
-import { append, appendDetails, appendLicences, createNumber, createSelect } from './elements';
+import { append, appendDetails, appendLicences, createNumber, createSelect, createText } from './elements';
 import type { Form } from './form';
 import { createOverlayLegend } from './overlayLegend';
 import type { ButtonRow, WorkshopParts } from './panelActions';
@@ -125,10 +125,7 @@ function appendWorld(world: Element, form: Form): void {
     ['1', 'Legacy'],
   ] as const;
   form.field(world, 'Protocol', 'legacy', createSelect(document, protocols));
-  const server = document.createElement('input');
-  server.type = 'text';
-  server.placeholder = 'built-in, or ws://…';
-  form.field(world, 'Server', 'server', server);
+  form.field(world, 'Server', 'server', createText(document, 'built-in, or ws://…'));
 }
 
 /** Check boxes for the overlays, and a legend of those that are on. */

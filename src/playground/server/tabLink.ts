@@ -1,5 +1,6 @@
 import { encodeClientMessage, pendingServerMessage } from '../../wire';
 import type { Connection, ConnectionHandlers } from './connection';
+import { MAX_PILOT_NAME } from './tabAddress';
 
 /** Guest → host, over a channel that every tab of the browser hears. */
 export type ToHost =
@@ -44,7 +45,6 @@ export interface TabHost {
 }
 
 const MAX_GUESTS = 7;
-const MAX_NAME = 24;
 /** Bytes of one message: far more than the protocol's inputs take. */
 const MAX_BYTES = 65_536;
 
@@ -96,7 +96,7 @@ function readToHost(data: unknown): ToHost | null {
         name
           .replace(/\p{Surrogate}/gu, '')
           .trim()
-          .slice(0, MAX_NAME) || 'Guest',
+          .slice(0, MAX_PILOT_NAME) || 'Guest',
     };
   if (kind === 'bytes' && bytes instanceof Uint8Array && bytes.length <= MAX_BYTES)
     return { kind, from, bytes };

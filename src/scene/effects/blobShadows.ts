@@ -9,6 +9,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
+import { uploadFirst } from '../uploads';
 
 /**
  * Soft shadows of the ships outside the shadow map, which covers the watched ship only. Each is laid on the slope of the ground
@@ -116,11 +117,8 @@ export function createBlobShadows(): BlobShadows {
     finish() {
       mesh.count = count;
       mesh.visible = count > 0;
-      for (const attribute of [mesh.instanceMatrix, darkness]) {
-        attribute.clearUpdateRanges();
-        attribute.addUpdateRange(0, count * attribute.itemSize);
-        attribute.needsUpdate = true;
-      }
+      uploadFirst(mesh.instanceMatrix, count);
+      uploadFirst(darkness, count);
     },
     paint(sunDirection) {
       sun.copy(sunDirection);

@@ -11,6 +11,7 @@ import {
 import type { BodyLook } from '../sky/bodyLook';
 import type { FlameUniforms } from './flame';
 import { cellNoise } from '../ground/noise';
+import { uploadFirst, uploadItems } from '../uploads';
 
 const MAX_GRAINS = 1500;
 
@@ -181,15 +182,13 @@ function createGrains() {
       places.setXYZ(next, place[0]!, place[1]!, place[2]!);
       velocities.setXYZ(next, velocity[0]!, velocity[1]!, velocity[2]!);
       spans.setXYZW(next, time, lives, look.size * vary, look.opacity);
-      places.needsUpdate = true;
-      velocities.needsUpdate = true;
-      spans.needsUpdate = true;
+      for (const attribute of [places, velocities, spans]) uploadItems(attribute, next, 1);
       next = (next + 1) % MAX_GRAINS;
       return lives;
     },
     clear() {
       (spans.array as Float32Array).fill(0);
-      spans.needsUpdate = true;
+      uploadFirst(spans, MAX_GRAINS);
     },
   };
 }

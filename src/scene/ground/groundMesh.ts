@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial } from 'three';
 import { createSectors, type GroundSectors, type IndexRange, SECTOR_INDICES } from './groundSectors';
 import { type DrawnPoints, MAX_LEVELS, VERTICES } from './levels';
+import { uploadItems } from '../uploads';
 
 /**
  * All levels of the ground in one mesh. three prepares program, uniforms and buffers once per frame, and each level in sight costs
@@ -59,10 +60,10 @@ export function createGroundMesh(material: ShaderMaterial): GroundMesh {
       ),
     ),
     uploadPoints(n) {
-      for (const { made } of attributes) upload(made, n * POINTS * made.itemSize, POINTS * made.itemSize);
+      for (const { made } of attributes) uploadItems(made, n * POINTS, POINTS);
     },
     uploadSectors(n) {
-      upload(index, n * SECTOR_INDICES, SECTOR_INDICES);
+      uploadItems(index, n * SECTOR_INDICES, SECTOR_INDICES);
     },
     clear() {
       shown.count = 0;
@@ -89,9 +90,4 @@ function levels<T>(of: (n: number) => T): T[] {
 /** Ranges of the index that are drawn in this frame. */
 function createRanges() {
   return { starts: new Uint32Array(MAX_LEVELS), counts: new Uint32Array(MAX_LEVELS), count: 0 };
-}
-
-function upload(attribute: BufferAttribute, start: number, count: number): void {
-  attribute.addUpdateRange(start, count);
-  attribute.needsUpdate = true;
 }

@@ -13,6 +13,7 @@ import type { BodyLook } from '../sky/bodyLook';
 import type { LocalFrame } from '../localFrame';
 import { cellNoise } from './noise';
 import { groundPoint } from './terrainLevel';
+import { uploadFirst } from '../uploads';
 import { coneMeets, copyCone, createCone, isNearCone, type ViewCone } from '../camera/viewCone';
 
 /** Cells of stones around the ship: size of a cell in m, cells to each side, stones in a cell. */
@@ -186,9 +187,7 @@ function writeVisible(
   }
   drawn.seen = seen;
   mesh.count = seen;
-  instanceMatrix.clearUpdateRanges();
-  instanceMatrix.addUpdateRange(0, seen * 16);
-  instanceMatrix.needsUpdate = true;
+  uploadFirst(instanceMatrix, seen);
 }
 
 function stone(): IcosahedronGeometry {

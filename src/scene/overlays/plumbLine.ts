@@ -6,6 +6,7 @@ import {
   LineBasicMaterial,
   LineSegments,
 } from 'three';
+import { uploadFirst, uploadItems } from '../uploads';
 
 /**
  * Height cue of a flying ship: a line from its feet straight down to the ground, with a tick every 10 m (100 m far up) and a cross
@@ -54,11 +55,14 @@ export function createPlumbLine(): PlumbLine {
       group.visible = height > LOWEST;
       if (!group.visible) return;
       const wanted = height > HIGH ? 100 : 10;
-      if (wanted !== step) writeTicks(points, wanted);
+      if (wanted !== step) {
+        writeTicks(points, wanted);
+        uploadFirst(position, position.count);
+      }
       step = wanted;
       // The upper end of the line: the only point that moves while the ship does.
       points[4] = height;
-      position.needsUpdate = true;
+      uploadItems(position, 1, 1);
       const ticks = Math.min(Math.ceil(height / step) - 1, MAX_TICKS);
       geometry.setDrawRange(0, 2 * (FIRST_TICK + 2 * ticks));
       group.position.set(foot[0]! - eye[0]!, foot[1]! - height - eye[1]!, foot[2]! - eye[2]!);

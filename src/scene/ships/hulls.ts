@@ -8,6 +8,7 @@ import {
   Quaternion,
   Vector3,
 } from 'three';
+import { uploadFirst } from '../uploads';
 import type { ShipActor } from './shipActor';
 import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
@@ -89,9 +90,9 @@ export function createHulls(material: ShipMaterial): Hulls {
           mesh.count = count;
           mesh.visible = count > 0;
           if (count === 0) continue;
-          upload(mesh.instanceMatrix, count);
-          if (level.hasNewSunlit) upload(level.sunlit, count);
-          if (level.hasNewCompression) upload(level.compression, count);
+          uploadFirst(mesh.instanceMatrix, count);
+          if (level.hasNewSunlit) uploadFirst(level.sunlit, count);
+          if (level.hasNewCompression) uploadFirst(level.compression, count);
           level.hasNewSunlit = level.hasNewCompression = false;
         }
       }
@@ -108,13 +109,6 @@ function change({ array }: InstancedBufferAttribute, at: number, value: number):
   if (array[at] === rounded) return false;
   array[at] = rounded;
   return true;
-}
-
-/** Sends the first `count` instances to the GPU. */
-function upload(attribute: InstancedBufferAttribute, count: number): void {
-  attribute.clearUpdateRanges();
-  attribute.addUpdateRange(0, count * attribute.itemSize);
-  attribute.needsUpdate = true;
 }
 
 function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipMaterial): Level {

@@ -22,6 +22,8 @@ const MAP = 1024;
 /** Additional exposure for a ship in the dark, and how fast it adapts, 1/s. */
 const OPENS = 1.7;
 const ADAPTS = 1.5;
+/** A smaller difference in exposure is not seen. Each program would get a new number in every frame. */
+const ADAPTED = 5e-4;
 
 export function createSunlight(): Sunlight {
   const sun = new DirectionalLight();
@@ -59,8 +61,9 @@ export function createSunlight(): Sunlight {
       // In a hill's shadow the ground below is dark too.
       around.intensity = Math.PI * (0.35 + 0.55 * share);
       const wanted = 1 + OPENS * (1 - share);
-      if (Number.isNaN(exposure)) exposure = wanted;
-      exposure += (wanted - exposure) * (1 - Math.exp(-ADAPTS * seconds));
+      // NaN: at once.
+      const isAdapting = Math.abs(wanted - exposure) > ADAPTED;
+      exposure = isAdapting ? wanted + (exposure - wanted) * Math.exp(-ADAPTS * seconds) : wanted;
       return exposure;
     },
     follow(place, eye, reach, depth) {

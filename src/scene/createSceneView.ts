@@ -62,8 +62,9 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
       return (2 * distance * halfTangent(parts.camera)) / Math.max(height, 1);
     },
     setTerrain(terrainHeight) {
+      if (terrainHeight !== state.terrain) state.frame = null;
       state.terrain = terrainHeight;
-      state.frame = null;
+      state.isNewWorld = true;
     },
     setSunElevation(elevation) {
       if (elevation === state.sunElevation) return;

@@ -31,6 +31,8 @@ export interface SceneState {
   readonly pad: Float64Array;
   readonly groundY: (x: number, z: number) => number;
   terrain: TerrainHeight;
+  /** The next view is the first one of another world. */
+  isNewWorld: boolean;
   frame: LocalFrame | null;
   look: SceneLook;
   /** Degrees; null: as it is over the body by default. */
@@ -65,6 +67,7 @@ export function createState(parts: SceneParts): SceneState {
       return point[1]!;
     },
     terrain: flatTerrain,
+    isNewWorld: true,
     frame: null,
     look: underSun(lookOf(''), null),
     sunElevation: null,

@@ -19,7 +19,10 @@ export interface SceneView {
   screenAxes(out: Float64Array): boolean;
   /** Metres that a CSS pixel spans at the ship's distance. */
   pixelSize(): number;
-  /** Sets the terrain from the next draw on; flat before the first call. */
+  /**
+   * Sets the terrain of a new world, which the next draw begins: dust, debris and the camera's motion end. Flat before the first call. The ground
+   * is laid out again unless it is of the same terrain and the ship within 50 m of where it was.
+   */
   setTerrain(terrainHeight: TerrainHeight): void;
   /**
    * Elevation of the sun at the landing site, degrees; at or below 0 it is night. null: the body's default. Takes effect

@@ -2,7 +2,7 @@ import type { ShipView, WorldView } from '../prediction';
 import { releaseRig } from './camera/cameraRig';
 import { paintGround } from './ground/groundMaterial';
 import { createLocalFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
-import { frameOf, type SceneState } from './sceneState';
+import type { SceneState } from './sceneState';
 import { clearActors } from './ships/actors';
 import { MIN_HEIGHT } from './ships/shipActor';
 import { lookOf } from './sky/bodyLook';
@@ -13,19 +13,26 @@ const FRAME_REACH = 20_000;
 /** Distance of the eye in heights of the centre of mass over the feet. */
 const FIRST_DISTANCE = 5.2;
 
-/** Builds the surroundings again for another body, or for a ship that has gone far. */
+/** A world that begins this close to the frame's origin keeps the ground, m: within it the sun's elevation differs by a quarter degree on Phobos. */
+const SITE_REACH = 50;
+
+/** Builds the surroundings again for another body, or for a ship that has gone far; for a new world at the same site, clears them. */
 export function rebuildIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
+  const { frame, turn, point, isNewWorld } = state;
   const body = view.bodies[watched.body]!;
-  if (state.frame?.bodyName !== body.name || state.frame.radius !== body.radius) lay(state, view, watched);
-  else turnOfFrame(state.turn, state.frame, body.attitude);
-  toLocalPoint(state.point, frameOf(state), state.turn, watched.meshPosition);
-  if (Math.hypot(state.point[0]!, state.point[2]!) > FRAME_REACH) lay(state, view, watched);
+  if (frame?.bodyName !== body.name || frame.radius !== body.radius) {
+    lay(state, view, watched);
+    return;
+  }
+  toLocalPoint(point, frame, turnOfFrame(turn, frame, body.attitude), watched.meshPosition);
+  const away = Math.hypot(point[0]!, point[2]!);
+  if (away > (isNewWorld ? SITE_REACH : FRAME_REACH)) lay(state, view, watched);
+  else if (isNewWorld) beginWorld(state);
 }
 
 /** Builds everything around the ship, and turns the frame as its body is turned. */
 function lay(state: SceneState, view: WorldView, ship: ShipView): void {
-  const { ground, rocks, light, sky, shipResources, dust, crash, shadows, groundMaterial, jets } =
-    state.parts;
+  const { ground, rocks, light, sky, shipResources, dust, shadows, groundMaterial } = state.parts;
   const body = view.bodies[ship.body]!;
   const look = (state.look = underSun(lookOf(body.name), state.sunElevation));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
@@ -39,13 +46,21 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   shipResources.hull.paint(look);
   rocks.paint(look);
   dust.paint(look, light.direction);
-  dust.clear();
-  crash.clear();
-  releaseRig(state.rig);
-  clearActors(state.actors, jets);
-  // All of the ground before its first frame: otherwise the ship would be above nothing.
   toLocalPoint(state.point, frame, turnOfFrame(state.turn, frame, body.attitude), ship.meshPosition);
-  ground.follow(state.point[0]!, state.point[2]!, Infinity);
+  beginWorld(state);
+}
+
+/** Clears what is left of the world before. The ship is at `state.point`. */
+function beginWorld(state: SceneState): void {
+  const { parts, point, actors } = state;
+  parts.dust.clear();
+  parts.crash.clear();
+  parts.light.adapt();
+  releaseRig(state.rig);
+  clearActors(actors, parts.jets);
+  // All of the ground before its first frame: otherwise the ship would be above nothing.
+  parts.ground.follow(point[0]!, point[2]!, Infinity);
+  state.isNewWorld = false;
 }
 
 /** Adapts camera and ghost when the watched ship has another class. */

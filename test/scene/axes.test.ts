@@ -111,9 +111,11 @@ describe('the sun', () => {
     expect(around.intensity).toBeCloseTo(Math.PI * 0.35, 9);
     expect(light.shade(1, 0.5)).toBeCloseTo(1 + 1.7 * Math.exp(-0.75), 9);
     expect(around.intensity).toBeCloseTo(Math.PI * 0.9, 9);
-    expect(light.shade(1, 60)).toBeCloseTo(1, 9);
+    expect(light.shade(1, 5)).toBeCloseTo(1 + 1.7 * Math.exp(-8.25), 9);
+    // The rest of the way is not seen: it arrives.
+    expect(light.shade(1, 0.01)).toBe(1);
     expect(light.shade(0.5, 0)).toBeCloseTo(1, 9);
-    light.paint(look, frame);
+    light.adapt();
     expect(light.shade(0.5, 0)).toBeCloseTo(1.85, 9);
   });
 

@@ -8,6 +8,8 @@ export interface Sunlight {
   /** Local, unit, towards the sun. */
   readonly direction: Vector3;
   paint(look: BodyLook, frame: LocalFrame): void;
+  /** The camera adapts at once, at the next `shade`. */
+  adapt(): void;
   /**
    * Sets the share of the sun that reaches the watched ship, 0 … 1. Returns the camera's exposure, 1 in the sun, `seconds` after
    * the previous call: it adapts like an eye to the dark.
@@ -26,12 +28,7 @@ const ADAPTS = 1.5;
 const ADAPTED = 5e-4;
 
 export function createSunlight(): Sunlight {
-  const sun = new DirectionalLight();
-  sun.castShadow = true;
-  sun.shadow.mapSize.set(MAP, MAP);
-  sun.shadow.bias = -0.0006;
-  sun.shadow.normalBias = 0.02;
-  sun.shadow.radius = 1.4;
+  const sun = createSun();
   const around = new HemisphereLight();
   const group = new Group();
   group.add(sun, sun.target, around);
@@ -43,8 +40,10 @@ export function createSunlight(): Sunlight {
   return {
     group,
     direction,
-    paint(look, frame) {
+    adapt() {
       exposure = NaN;
+    },
+    paint(look, frame) {
       direction.set(1, frame.sunSlope, 0).normalize();
       side.set(0, 0, 1);
       over.copy(direction).cross(side).normalize();
@@ -88,4 +87,14 @@ export function createSunlight(): Sunlight {
       sun.dispose();
     },
   };
+}
+
+function createSun(): DirectionalLight {
+  const sun = new DirectionalLight();
+  sun.castShadow = true;
+  sun.shadow.mapSize.set(MAP, MAP);
+  sun.shadow.bias = -0.0006;
+  sun.shadow.normalBias = 0.02;
+  sun.shadow.radius = 1.4;
+  return sun;
 }

@@ -177,3 +177,42 @@ it('keeps the ship in the middle between the margins, small enough to fit', () =
   expect(draw(1.3)).toEqual({ y: expect.closeTo(300, 3) as unknown, distance: near(whole.distance) });
   expect(warnings).toEqual([]);
 });
+
+it('keeps the ground of a world that begins again where it began, and nothing else of it', () => {
+  const { scene } = openScene();
+  let asked = 0;
+  const hills: typeof hillsTerrain = (...place) => {
+    asked += 1;
+    return hillsTerrain(...place);
+  };
+  /** Points of the ground that a draw computes; `aside` m. */
+  const askedBy = (aside: number, changes: Partial<ShipView>, seconds: number) => {
+    const view = flight({ body: 'Earth', clearance: 0, terrain: 40 }, changes);
+    moved(view.own, aside);
+    asked = 0;
+    scene.draw(view, seconds);
+    return asked;
+  };
+  const effects = () => [
+    ...new Set(frameOf(drawn).filter((line) => /^ {2}(Points|Group, hidden)/.test(line))),
+  ];
+  scene.setTerrain(hills);
+  const whole = askedBy(0, {}, 1);
+  expect(whole).toBeGreaterThan(10_000);
+  askedBy(1, { ...WRECK, impactSpeed: 30 }, 1.1);
+  askedBy(1, { ...WRECK, impactSpeed: 30 }, 1.2);
+  const crashed = effects();
+
+  scene.setTerrain(hills);
+  expect(askedBy(2, {}, 1.3)).toBeLessThan(whole / 100);
+  expect(effects()).not.toEqual(crashed);
+  expect(effects()).toContain('  Points, hidden');
+
+  // Farther away, and on other ground.
+  scene.setTerrain(hills);
+  expect(askedBy(70, {}, 1.4)).toBe(whole);
+  scene.setTerrain(hillsTerrain);
+  askedBy(70, {}, 1.5);
+  scene.setTerrain(hills);
+  expect(askedBy(70, {}, 1.6)).toBe(whole);
+});

@@ -61,7 +61,8 @@ export {
   writeRecording,
 } from './recordings/recording';
 export { compareRecording, type RecordingComparison } from './recordings/compareRecording';
-/** An autopilot for the last 200 metres. */
+/** An autopilot for the last 200 metres, and for a fast drift before them. */
+export { brakeDrift } from './autopilot/braking';
 export { type Approach, type LandingSite } from './autopilot/descent';
 export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';
 /** Missions as data; a run replayed from its inputs, its score, and its bytes for a link. */

@@ -1,6 +1,6 @@
 import { type Controls, NEUTRAL_CONTROLS, type Quat, type TerrainHeight, type Vec3 } from '../../dynamics';
 import type { ShipView, WorldView } from '../../prediction';
-import { BEGIN_LANDING, continueLanding, type LandingManeuver } from '../../scenarios';
+import { BEGIN_LANDING, brakeDrift, continueLanding, type LandingManeuver } from '../../scenarios';
 import type { ShipState } from '../../wire';
 import { placeName } from './texts/placeName';
 
@@ -28,12 +28,14 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
   let reason = '';
   let landing: LandingManeuver = BEGIN_LANDING;
   let controls = NEUTRAL_CONTROLS;
+  let isBraking = false;
   let sampledAt = -Infinity;
   /** Of the view: the time of the call before. */
   let seenAt = -Infinity;
 
   const begin = () => {
     landing = BEGIN_LANDING;
+    isBraking = false;
     sampledAt = -Infinity;
     seenAt = -Infinity;
   };
@@ -60,7 +62,11 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       const delay = age + sinceOf(sampledAt, now) / 2;
       sampledAt = now;
       const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay };
-      const next = continueLanding(landing, stateOf(ship, body.name), site);
+      const state = stateOf(ship, body.name);
+      const braking = state.surfaceContactState === '' ? brakeDrift(isBraking, state, site) : null;
+      isBraking = braking?.ok === true && braking.value !== null;
+      if (braking?.ok === true && braking.value !== null) return (controls = onGrid(braking.value));
+      const next = continueLanding(landing, state, site);
       if (!next.ok) {
         end(next.reason);
         return controls;

@@ -36,6 +36,8 @@ export interface Approach {
   readonly drift: Vec3;
   /** Cosine of the tilt now or when the controls act, whichever is more upright. */
   readonly upright: number;
+  /** Cosine of the angle between thrust and the direction against the motion over the ground; 0 at rest. */
+  readonly retrograde: number;
   /** m/s² */
   readonly gravity: number;
 }
@@ -77,11 +79,13 @@ export function approachOf(ship: ShipState, site: LandingSite): Result<Approach>
   const ground = terrainHeight(body.name, ...rotate(inverse(body.attitude), up));
   if (!Number.isFinite(ground)) return err('terrainHeight: expected a finite number');
   const climb = dot(overGround, up);
+  const speed = length(overGround);
   return ok({
     height: distance - (body.radius + ground + shipClass.groundContactOffset),
     climb,
     drift: rotate(inverse(ship.attitude), minus(overGround, scaled(up, climb))),
     upright: Math.max(dot(rotate(ship.attitude, TOP), up), dot(rotate(turned(ship, delay), TOP), up)),
+    retrograde: speed > 0 ? -dot(rotate(ship.attitude, TOP), overGround) / speed : 0,
     gravity: (GRAVITATIONAL_CONSTANT * body.mass) / (distance * distance),
   });
 }

@@ -3,6 +3,7 @@ import { Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { flatTerrain } from '../../../src/dynamics';
 import { createFlightControls } from '../../../src/playground/game/flightControls';
+import { createLandingReadout, updateLandingReadout } from '../../../src/readout';
 import { makeView } from '../../readout/views';
 import { open, useGameClock } from './openGame';
 
@@ -47,6 +48,21 @@ describe('the autopilot', () => {
     expect(own!.shownState).toBe('landed');
     expect(own!.impactSpeed).toBeLessThan(2);
     expect(live.flightControls.autopilot.reason()).toBe('');
+  });
+
+  it.each([0.4, 10])('brakes a fast approach before it descends, at %s pictures per second', (fps) => {
+    const { live, play } = open({ scenario: 'long-approach', network: 'broadband' });
+    play(fps, 4);
+    live.flightControls.press('autopilot');
+    let speed = NaN;
+    const readout = createLandingReadout();
+    play(fps, 130, (view) => {
+      if (view.own!.shownState === '') speed = updateLandingReadout(readout, view).descent.horizontalSpeed;
+    });
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(speed).toBeLessThan(0.5);
+    expect(own!.impactSpeed).toBeLessThan(2);
   });
 
   it('disengages after a touch that is hard enough to bounce, and says how hard it was', () => {

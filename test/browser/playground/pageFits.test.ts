@@ -145,6 +145,46 @@ describeInBrowser('the built page in any window', () => {
     await setLetters(page, USUAL_LETTERS);
   });
 
+  it('shows speeds and throttle without scrolling on a laptop with letters of 200 %', async () => {
+    await setLetters(page, LARGE_LETTERS);
+    await resize(page, 1280, 720);
+    const parts = [
+      '.td-reading-vspd',
+      '.td-reading-agl',
+      '.td-tilt-value',
+      '.td-lever-picture',
+      '.td-lever-words',
+    ];
+    const bottoms = await Promise.all(
+      parts.map(async (part) => {
+        const { y, height } = (await page.locator(part).boundingBox())!;
+        return y + height;
+      }),
+    );
+    expect(Math.max(...bottoms)).toBeLessThanOrEqual(720);
+    await setLetters(page, USUAL_LETTERS);
+  });
+
+  it.each([
+    [960, 540],
+    [1280, 720],
+  ])('%i × %i: a long card ends above the instruments', async (width, height) => {
+    await resize(page, width, height);
+    const write = (text: string) =>
+      page.evaluate((words) => {
+        const card = document.getElementById('card')!;
+        card.textContent = words;
+        card.hidden = words === '';
+      }, text);
+    await write('A line of the score.\n'.repeat(60));
+    const [card, foot] = await Promise.all(
+      ['#card', '#foot'].map((part) => page.locator(part).boundingBox()),
+    );
+    expect(card!.height).toBeGreaterThan(100);
+    expect(card!.y + card!.height).toBeLessThanOrEqual(foot!.y);
+    await write('');
+  });
+
   it('the beacon’s dial shares its row with the landing aids, without them with the attitude', async () => {
     const boxOf = async (part: string) => (await page.locator(part).boundingBox())!;
     for (const width of [1440, 768]) {

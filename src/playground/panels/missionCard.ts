@@ -58,6 +58,7 @@ function appendLines(element: HTMLElement, lines: readonly ScoreLine[]): void {
     append(row, 'th', '', what).scope = 'row';
     append(row, 'td', 'measured', measured);
     append(row, 'td', 'points', most === 0 ? String(points).replace('-', '−') : `${points} of ${most}`);
-    append(row, 'td', 'quiet', rule);
+    // A number and its unit stay on one line.
+    append(row, 'td', 'quiet', rule.replaceAll(/(\d) (?=[a-z])/g, '$1\u00a0'));
   }
 }

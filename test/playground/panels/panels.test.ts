@@ -107,10 +107,10 @@ it('a card has a title, buttons with their keys, and a score line by line', () =
     { text: 'Next', cap: 'Enter', act: () => done.push('next') },
     { text: 'Copy', cap: '', act: () => done.push('copy') },
   ];
-  const line = { what: 'Fuel' as const, measured: '12 kg', points: 80, most: 100, rule: 'less is more' };
+  const line = { what: 'Fuel' as const, measured: '12 kg', points: 80, most: 100, rule: 'none from 9 kg' };
   card.show({ title: 'Landed', words: 'Soft.', lines: [line, { ...line, points: -30, most: 0 }], actions });
   expect(shownText(root)).toBe(
-    'Landed Soft. Next Enter Copy Score, line by line Fuel 12 kg 80 of 100 less is more Fuel 12 kg −30 less is more',
+    'Landed Soft. Next Enter Copy Score, line by line Fuel 12 kg 80 of 100 none from 9\u00a0kg Fuel 12 kg −30 none from 9\u00a0kg',
   );
   all(root, 'button').forEach(click);
   expect(done).toEqual(['next', 'copy']);

@@ -129,6 +129,13 @@ describe('the loop', () => {
     expect(authority.tickNumber()).toBe(4);
   });
 
+  it('answers pings before its first tick by the time since it started', () => {
+    const authority = moonWith('opening');
+    startLoop(authority, 100);
+    const pong = valueOf(authority.receive('ann', { kind: 'ping', id: 1 }, 100.25));
+    expect(pong).toMatchObject({ tick: 0, sinceTick: 0.25 });
+  });
+
   it('follows a tick rate that changes at run time', () => {
     const authority = moonWith('opening');
     const loop = startLoop(authority, 0);

@@ -49,9 +49,12 @@ describe('a ping', () => {
     world.now = 3e9;
     sendBytes(other, streaming, { kind: 'ping', id: 10 });
     expect(streaming.sent[1]).toMatchObject({ sinceTick: 1e9 });
-    world.newest = null;
+    world.newest = { ...world.newest!, due: 6e9 };
     sendBytes(other, streaming, { kind: 'ping', id: 11 });
-    expect(streaming.sent).toHaveLength(2);
+    expect(streaming.sent[2]).toMatchObject({ sinceTick: -1e9 });
+    world.newest = null;
+    sendBytes(other, streaming, { kind: 'ping', id: 12 });
+    expect(streaming.sent).toHaveLength(3);
   });
 });
 

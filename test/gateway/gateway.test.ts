@@ -1,14 +1,15 @@
 /** A running gateway with a real Redis and real sockets; the test writes the world. */
 import { EventEmitter } from 'node:events';
 import type { RedisClientType } from 'redis';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
 import { createGateway, type Gateway } from '../../src/gateway/gateway';
 import { runProcess } from '../../src/gateway/process';
-import { decodeServerMessage, encodeClientMessage, encodeFrameJson, encodeHelloJson } from '../../src/wire';
+import { encodeClientMessage, encodeFrameJson, encodeHelloJson } from '../../src/wire';
 import { isMissing } from '../service/pythonTests';
 import { HELLO } from '../wire/messages';
 import { shipOf, worldOf } from './fakeGateway';
+import { connectClient } from './gatewayClient';
 import { startRedis } from './redisServer';
 
 const ACCOUNT = { username: 'one', playerId: 'p1', password: 'x' };
@@ -53,23 +54,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     });
   }
 
-  function connect(path = '/ws', origin?: string) {
-    const socket = new WebSocket(
-      `ws://127.0.0.1:${gateway.port}${path}`,
-      origin === undefined ? {} : { origin },
-    );
-    const received: Record<string, unknown>[] = [];
-    socket.on('message', (data: Buffer, isBinary) => {
-      const message: unknown = isBinary ? decodeServerMessage(data) : JSON.parse(data.toString());
-      received.push(message as Record<string, unknown>);
-    });
-    const failed = new Promise<string>((resolve) => socket.on('error', ({ message }) => resolve(message)));
-    const closed = new Promise<[number, string]>((resolve) =>
-      socket.on('close', (code, reason) => resolve([code, reason.toString()])),
-    );
-    const opened = new Promise((resolve) => socket.on('open', resolve));
-    return { socket, received, failed, closed, opened, kinds: () => received.map(({ type }) => type) };
-  }
+  const connect = (path = '/ws', origin?: string) => connectClient(gateway.port, path, origin);
 
   async function login(): Promise<Record<string, unknown>> {
     const body = JSON.stringify({ username: 'one', password: 'x' });
@@ -77,10 +62,15 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     return (await (await fetch(address, { method: 'POST', body })).json()) as Record<string, unknown>;
   }
 
-  it('signs a player in, sends it the world, and forwards its controls', async () => {
-    const client = connect();
+  async function signedIn(path?: string) {
+    const client = connect(path);
     await client.opened;
     client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    return client;
+  }
+
+  it('signs a player in, sends it the world, and forwards its controls', async () => {
+    const client = await signedIn();
     client.socket.send(JSON.stringify({ type: 'ping' }));
     await expect.poll(client.kinds).toEqual(['pong']);
     // The world may be defined after the gateway has started.
@@ -115,12 +105,24 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     expect(logged).toEqual([]);
   });
 
+  it('sends a client whose socket was full the newest state as soon as it has room', async () => {
+    await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
+    const client = await signedIn();
+    await writeFrame(7);
+    await expect.poll(() => client.kinds()).toContain('welcome');
+    const buffered = vi.spyOn(WebSocket.prototype, 'bufferedAmount', 'get').mockReturnValue(2 ** 30);
+    onTestFinished(() => buffered.mockRestore());
+    await writeFrame(8);
+    await expect.poll(() => gateway.health()['tick']).toBe(8);
+    expect(client.received).not.toContainEqual(expect.objectContaining({ tick: 8 }));
+    buffered.mockReturnValue(0);
+    await expect.poll(() => client.received).toContainEqual(expect.objectContaining({ tick: 8 }));
+  });
+
   it('answers a ping on /stream by the time since the newest tick was due, on Redis’s clock', async () => {
     await writeFrame(7);
     await expect.poll(() => gateway.health()['tick']).toBe(7);
-    const client = connect('/stream');
-    await client.opened;
-    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    const client = await signedIn('/stream');
     client.socket.send(encodeClientMessage({ kind: 'ping', id: 3 }));
     await expect.poll(() => client.received).toMatchObject([{ value: { kind: 'pong', id: 3, tick: 7 } }]);
     // Both run on this machine's clock: another one is off by decades.
@@ -139,9 +141,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
 
   it('names a key of another type in one line, keeps the last world, and continues once it is fixed', async () => {
     await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
-    const client = connect();
-    await client.opened;
-    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    const client = await signedIn();
     await writeFrame(7);
     await expect.poll(() => gateway.health()['tick']).toBe(7);
     for (const key of ['touchdown:frames', 'touchdown:inbox']) {
@@ -176,9 +176,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     await expect.poll(() => logged).toEqual([expect.stringMatching(line)]);
     await redis.del('touchdown:world');
     await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
-    const client = connect();
-    await client.opened;
-    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    const client = await signedIn();
     await expect
       .poll(async () => {
         await writeFrame(7);

@@ -153,6 +153,11 @@ it('reads the valid parts of the service’s frame', () => {
   const sent = {
     ...encodeFrameJson({ ...FRAME, lastInput: null }),
     due: 12.5,
+    events: [
+      { event: 'ship.contact', ship_id: 'gone', body: 'Luna', tick: 41 },
+      { event: 'ship.destroyed', ship_id: 'other', body: 'Phobos', tick: 41 },
+      { event: 'ship.destroyed', ship_id: 'gone', body: 'Deimos', tick: 41 },
+    ],
     removed: [{ ship_id: 'gone', player_id: 'p', name: 'n', reason: 'collision' }],
   } as Record<string, unknown>;
   sent['ships'] = [
@@ -168,11 +173,11 @@ it('reads the valid parts of the service’s frame', () => {
     { ship_id: 'unread', last_input: 5 },
   ];
   const world = readWorldFrame(JSON.stringify(sent), (reason) => told.push(reason));
-  const { tick, tickRate, timeScale, gameTime, paused, bodies, events } = FRAME;
+  const { tick, tickRate, timeScale, gameTime, paused, bodies } = FRAME;
   expect(world).toMatchObject({
     due: 12.5,
-    frame: { tick, tickRate, timeScale, gameTime, paused, bodies, events },
-    removed: [{ shipId: 'gone', reason: 'collision' }],
+    frame: { tick, tickRate, timeScale, gameTime, paused, bodies },
+    removed: [{ shipId: 'gone', playerId: 'p', name: 'n', reason: 'collision', body: 'Deimos' }],
   });
   expect(world!.frame.ships).toHaveLength(2);
   expect(world!.lastInputs.get('ship-1')).toEqual({
@@ -184,7 +189,8 @@ it('reads the valid parts of the service’s frame', () => {
   });
   expect([...world!.lastInputs.keys()]).toEqual(['ship-1', 'ship-2']);
   expect(told).toEqual([2, 3, 4, 5].map((i) => `frame.ships[${i}].position: missing`));
-  const bare = readWorldFrame('{"tick":1,"ships":[]}', (reason) => told.push(reason));
+  expect(world!.frame.events.map(({ shipId }) => shipId)).toEqual(['gone', 'other', 'gone']);
+  const bare = readWorldFrame('{"tick":1,"ships":[],"removed":[{}]}', (reason) => told.push(reason));
   expect(bare).toEqual({
     frame: {
       ...{ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false },
@@ -192,7 +198,7 @@ it('reads the valid parts of the service’s frame', () => {
     },
     due: 0,
     lastInputs: new Map(),
-    removed: [],
+    removed: [{ shipId: '', playerId: '', name: '', reason: '', body: '' }],
   });
   expect(readWorldFrame('{', (reason) => told.push(reason))).toBeNull();
 });

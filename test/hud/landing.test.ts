@@ -31,6 +31,15 @@ describe('the status', () => {
     ]);
   });
 
+  it('names a prediction that was retracted, until it is none any more', () => {
+    const { show, text } = createLandingHud();
+    const shown = (['', 'landed', ''] as const).map((withdrawn) => {
+      show({ withdrawn });
+      return text('td-withdrawn');
+    });
+    expect(shown).toEqual(['', 'LANDED withdrawn', '']);
+  });
+
   it('pulses once when a ground state begins, never at the first status or for flight', () => {
     const { show, attributes } = createLandingHud();
     const pulses = (['contact', 'contact', 'landed', 'flight', 'contact', 'none', 'tipped'] as const).map(

@@ -62,8 +62,9 @@ export function createApproachDial(parent: Element): (target: TargetReadout, aid
 /** The direction and distance of the pad in words, for readers who cannot see the dial. */
 function directionText({ x, y, distance, radius }: TargetReadout): string {
   if (distance <= radius) return 'below you';
-  const along = Math.abs(y) > 0.4 * distance ? (y > 0 ? 'ahead' : 'behind') : '';
-  const across = Math.abs(x) > 0.4 * distance ? (x > 0 ? 'right' : 'left') : '';
+  const enough = 0.4 * distance;
+  const along = y > enough ? 'ahead' : y < -enough ? 'behind' : '';
+  const across = x > enough ? 'right' : x < -enough ? 'left' : '';
   return [along, across].filter((word) => word !== '').join(' ');
 }
 

@@ -11,7 +11,6 @@ import {
   inputAcknowledgements,
   learnedGround,
   type LeanOptions,
-  type LeanPredictor,
   measuredGameTime,
   measuredTickRate,
   mismatchValues,
@@ -27,46 +26,17 @@ import * as everyFeature from '../../../src/prediction/features';
 import type { ServerFrame } from '../../../src/wire';
 import { LUNA, ship, ticks } from '../checks/mistakes/given';
 import { recordFlight } from '../recordFlight';
-
-/** The record without what `hidden` names, at any depth. */
-function without(hidden: readonly string[], value: unknown): unknown {
-  if (Array.isArray(value)) return value.map((each) => without(hidden, each));
-  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value;
-  const kept = Object.entries(value).filter(([key]) => !hidden.includes(key));
-  return Object.fromEntries(kept.map(([key, each]) => [key, without(hidden, each)]));
-}
-
-/** Each view and message of a flight as text; without what `hidden` names. */
-function shown(
-  predictor: LeanPredictor,
-  entries: readonly PredictorEntry[],
-  hidden: readonly string[],
-): string[] {
-  const lines: string[] = [];
-  const show = (line: unknown) => JSON.stringify(hidden.length > 0 ? without(hidden, line) : line);
-  predictor.onEvent((notice) => lines.push(JSON.stringify(notice)));
-  for (const entry of entries) {
-    if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
-    if (entry.kind !== 'advanced') continue;
-    predictor.advance(entry.controls, entry.at);
-    const sent = predictor.takeOutgoing().filter((message) => !hidden.includes(message.kind));
-    lines.push(show([sent, predictor.view(entry.at)]));
-  }
-  return lines;
-}
+import { differenceOfFlights, type Moment, momentsOf } from './sameFlight';
 
 const EARTH = BODIES.find(({ name }) => name === 'Earth')!;
 
 const ALL = Object.values(everyFeature).filter((each): each is Feature => 'feature' in each);
 
-/** Not an event. */
-const isView = (line: string): boolean => line.startsWith('[');
+/** Fields and messages that features which a predictor may lack fill. */
+const FILLED = ['touchdown', 'ping', 'withdrawn', 'lastMismatch'];
 
 describe('a lean predictor', () => {
   const { entries, options } = recordFlight({ scenario: 'right-itself', others: 2 });
-  const full = (hidden: readonly string[]) => shown(createPredictor(options), entries, hidden);
-  const lean = (features: LeanOptions['features'], hidden: readonly string[]) =>
-    shown(createLeanPredictor({ ...options, features: features ?? [] }), entries, hidden);
 
   /** States alone, without events and acknowledgements. */
   const ofGame = entries.flatMap((entry): PredictorEntry[] => {
@@ -77,34 +47,42 @@ describe('a lean predictor', () => {
       : [];
   });
 
+  const whole = (flown = entries) => momentsOf(createPredictor(options), flown);
+  const lean = (features: LeanOptions['features'], flown = entries) =>
+    momentsOf(createLeanPredictor({ ...options, features: features ?? [] }), flown);
+  /** The whole predictor's from the states of the game's server; what it announces needs a feature. */
+  function* silently(): Generator<Moment, void> {
+    for (const moment of whole(ofGame)) yield { ...moment, notices: [] };
+  }
+
+  it('is compared over a flight that ends landed, with events', () => {
+    let [frames, announced] = [0, 0];
+    const states = new Set<string>();
+    for (const { view, notices } of whole()) {
+      frames += 1;
+      announced += notices.length;
+      states.add(view.own?.shownState ?? '');
+    }
+    expect(frames).toBeGreaterThan(800);
+    expect(announced).toBeGreaterThan(1);
+    expect([...states].at(-1)).toBe('landed');
+  });
+
   it('shows and sends the same, bit for bit, from the states of the game’s server', () => {
-    const hidden = ['touchdown', 'ping', 'withdrawn', 'lastMismatch'];
-    const expected = shown(createPredictor(options), ofGame, hidden).filter(isView);
-    expect(expected.some((line) => line.includes('"shownState":"landed"'))).toBe(true);
-    const features = [sleepingShips, groundedGhost];
-    expect(shown(createLeanPredictor({ ...options, features }), ofGame, hidden)).toEqual(expected);
+    expect(differenceOfFlights(lean([sleepingShips, groundedGhost], ofGame), silently(), FILLED)).toBe('');
   });
 
   it('shows, sends and announces the same with all features from a server that sends everything', () => {
-    const expected = full([]);
-    expect(lean(ALL, [])).toEqual(expected);
-    expect(expected.some((line) => !isView(line))).toBe(true);
-    for (const missing of [surfaceEvents, inputAcknowledgements, serverHello, roundTripPings])
-      expect(
-        lean(
-          ALL.filter((feature) => feature !== missing),
-          [],
-        ),
-        missing.feature,
-      ).not.toEqual(expected);
+    expect(differenceOfFlights(lean(ALL), whole())).toBe('');
+    for (const missing of [surfaceEvents, inputAcknowledgements, serverHello, roundTripPings]) {
+      const others = ALL.filter((feature) => feature !== missing);
+      expect(differenceOfFlights(lean(others), whole()), missing.feature).not.toBe('');
+    }
   });
 
   it('predicts the same ships, bit for bit, without features that only save time or place the ghost', () => {
     const counted = ['steppedSubsteps', 'replayedSubsteps', 'ghostPosition', 'ghostAttitude'];
-    const hidden = ['touchdown', 'ping', 'withdrawn', 'lastMismatch', ...counted];
-    expect(shown(createLeanPredictor(options), ofGame, hidden)).toEqual(
-      shown(createPredictor(options), ofGame, hidden).filter(isView),
-    );
+    expect(differenceOfFlights(lean([], ofGame), silently(), [...FILLED, ...counted])).toBe('');
   });
 
   it('takes a hello and pongs only with their features', () => {
@@ -119,22 +97,28 @@ describe('a lean predictor', () => {
   });
 
   it('knows a touchdown only with that feature', () => {
-    const fly = (features: LeanOptions['features']) =>
-      shown(createLeanPredictor({ ...options, features: features ?? [] }), ofGame, ['ping']);
-    const whole = shown(createPredictor(options), ofGame, ['ping']);
-    expect(fly([touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost])).toEqual(
-      whole,
-    );
-    expect(fly([]).join()).not.toContain('"known":true');
+    const features = [touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost];
+    expect(differenceOfFlights(lean(features, ofGame), whole(ofGame), ['ping'])).toBe('');
+    const knowsOne = (flight: Iterable<Moment>) => {
+      for (const { view } of flight) if (view.ships.some(({ touchdown }) => touchdown.known)) return true;
+      return false;
+    };
+    expect(knowsOne(whole(ofGame))).toBe(true);
+    expect(knowsOne(lean([], ofGame))).toBe(false);
   });
 
   it('follows ground that the client does not know only with that feature', () => {
     const lower = { ...options, terrains: { ...options.terrains, low: () => -3 } };
     const given = { ...lower, defaults: { ...lower.defaults, terrain: 'low' } };
-    const offsets = (features: LeanOptions['features']) =>
-      shown(createLeanPredictor({ ...given, features: features ?? [] }), ofGame, []).join();
-    expect(offsets([])).not.toMatch(/"groundOffset":[^0]/);
-    expect(offsets([learnedGround])).toMatch(/"groundOffset":[^0]/);
+    const learned = (features: readonly Feature[]) => {
+      let most = 0;
+      for (const { view } of momentsOf(createLeanPredictor({ ...given, features }), ofGame))
+        for (const offset of [view.diagnosis.groundOffset, ...view.ships.map((one) => one.groundOffset)])
+          most = Math.max(most, Math.abs(offset));
+      return most;
+    };
+    expect(learned([])).toBe(0);
+    expect(learned([learnedGround])).toBeGreaterThan(1);
   });
 
   it('names an invalid feature', () => {

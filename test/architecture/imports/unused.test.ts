@@ -23,9 +23,10 @@ function unreached(files: readonly SourceFile[], others: readonly SourceFile[]):
     }
   const texts = [...files, ...others];
   const isNamed = (path: string): boolean => {
-    const name = path.split('/').at(-1)!.replaceAll('.', '\\.');
-    const named = new RegExp(String.raw`["'\`/]${name}\b`);
-    return texts.some((other) => other.path !== path && named.test(other.text));
+    const name = path.split('/').at(-1)!;
+    const named = new RegExp(String.raw`["'\`/]${name.replaceAll('.', '\\.')}\b`);
+    // The plain search first: the pattern takes many times as long.
+    return texts.some((other) => other.path !== path && other.text.includes(name) && named.test(other.text));
   };
   return files
     .map(({ path }) => path)
@@ -42,7 +43,7 @@ function unusedPackages(manifest: string, texts: readonly string[]): string[] {
       String.raw`['"\`/ ]${used.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')}(?:['"\`/ ]|$)`,
       'm',
     );
-    return used !== 'node' && !texts.some((text) => asked.test(text));
+    return used !== 'node' && !texts.some((text) => text.includes(used) && asked.test(text));
   });
 }
 

@@ -40,13 +40,15 @@ export interface LiteralFlight {
   readonly difference: LiteralCase;
   readonly network?: NetworkNumbers;
   readonly seed?: number;
+  /** Display frames a second; 60 by default. */
+  readonly fps?: number;
   readonly predictor?: PredictorOptions;
 }
 
 export function createLiteralRig(flight: LiteralFlight): LiteralRig {
   const scenario = typeof flight.scenario === 'string' ? scenarioNamed(flight.scenario) : flight.scenario;
   const loaded = value(loadScenario({ ...scenario, tickRate: flight.hz, timeScale: 1 }));
-  const { difference } = flight;
+  const { difference, fps = 60 } = flight;
   const { body, shipClass, terrainHeight } = loaded;
   const server = createLiteralServer(
     { body, ships: shipsOf(loaded, difference) },
@@ -102,7 +104,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
     now: 0,
     frame(each) {
       frames += 1;
-      rig.now = frames / 60;
+      rig.now = frames / fps;
       while ((ticks + 1) / flight.hz <= rig.now) {
         const due = server.tick();
         ticks += 1;

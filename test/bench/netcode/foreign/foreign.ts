@@ -51,16 +51,17 @@ const WAYS: readonly Way[] = ['ours', 'gravity', 'behind'];
 
 const NO_BASELINES = () => ({ gravity: null, behind: null });
 
-/** Flies all flights of a case. */
+/** Flies all flights of a case, drawn `fps` times a second. */
 export function flyCase(
   difference: LiteralCase,
   hz: number,
   sends: number,
   ways: readonly Way[] = WAYS,
+  fps = 60,
 ): CaseResult {
   const result: CaseResult = { ours: drawn(), gravity: drawn(), behind: drawn(), contacts: 0 };
   for (const scenario of difference.flights ?? USUAL_FLIGHTS)
-    flyForeign({ scenario, hz, sends, difference }, result, ways);
+    flyForeign({ scenario, hz, sends, difference, fps }, result, ways);
   return result;
 }
 
@@ -87,7 +88,8 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult, ways: read
       : { receive: () => undefined, draw: NO_BASELINES };
   const samples: Sample[] = [];
   const stretch = flight.difference.options.timeScale ?? 1;
-  const frames = (60 * SECONDS) / Math.min(stretch, 2);
+  const { fps = 60 } = flight;
+  const frames = (fps * SECONDS) / Math.min(stretch, 2);
   const contactTicks: number[] = [];
   let heard = 0;
   for (let i = 0; i < frames; i++) {
@@ -117,7 +119,8 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult, ways: read
     touching = touches;
     for (const way of ways) {
       const placed = sample[way];
-      if (placed !== null) measure(result[way], placed, truth, sample.ticks >= third);
+      if (placed !== null)
+        measure(result[way], placed, truth, { settled: sample.ticks >= third, shown: 1 / fps });
       const before = last?.sample[way] ?? null;
       if (placed !== null && before !== null) {
         const moved = (k: number) => placed.position[k]! - before.position[k]!;
@@ -134,11 +137,17 @@ function isSettling(ship: ShipState, { settlesLanded }: LiteralCase): boolean {
   return settlesLanded === true ? ship.surfaceContactState === 'landed' : ship.landedBodyName !== '';
 }
 
-function measure(out: Drawn, placed: Placed, truth: LiteralTruth, settled: boolean): void {
+/** `shown`: how long the frame is on the display, s. */
+function measure(
+  out: Drawn,
+  placed: Placed,
+  truth: LiteralTruth,
+  { settled, shown }: { settled: boolean; shown: number },
+): void {
   const error = distance(placed.position, truth.position);
   out.errors.push(error);
   if (settled) out.settled.push(error);
-  if (placed.state !== truth.state) out.wrongStatus += 1 / 60;
+  if (placed.state !== truth.state) out.wrongStatus += shown;
   out.underground = Math.max(out.underground, placed.underground);
 }
 

@@ -19,7 +19,7 @@ describeInBrowser('the game on the built page', () => {
       /Landed.*: \d+ of 1000/.test(document.getElementById('card')!.textContent),
     );
     const card = (await page.textContent('#card')) ?? '';
-    for (const line of ['Hardest touch', 'Distance', 'Tilt', 'Fuel', 'Time', 'full points up to 1 m/s'])
+    for (const line of ['Hardest touch', 'Distance', 'Tilt', 'Fuel', 'Time', 'full points up to 1\u00a0m/s'])
       expect(card).toContain(line);
     expect(await page.evaluate(() => localStorage.getItem('touchdown.best.first-landing'))).toMatch(
       /^[\w-]+$/,

@@ -16,7 +16,8 @@ function box([left, top, right, bottom]: Edges, inner: Readonly<Record<string, E
 const NOWHERE: Edges = [0, 0, 0, 0];
 const WIDE = {
   picture: box([0, 0, 1280, 720]),
-  goal: box([400, 12, 880, 140], { '.goal-how': [410, 60, 870, 110] }),
+  goal: box([400, 12, 880, 140], { '.goal-how': [410, 60, 870, 110], '.goal-words': [410, 30, 870, 58] }),
+  card: box(NOWHERE),
   foot: box([344, 510, 960, 708]),
   pads: box(NOWHERE, { '.thumb-middle': NOWHERE }),
 };
@@ -40,6 +41,18 @@ it('are the goal without its advice at the top, and the instruments or the lever
   expect(covered(WIDE)).toEqual({ top: 110, bottom: 210 });
   const thumbs = box([0, 600, 1280, 710], { '.thumb-middle': [500, 430, 800, 700] });
   expect(covered({ ...WIDE, pads: thumbs })).toEqual({ top: 110, bottom: 290 });
+});
+
+it('include a card where the ship has room below it', () => {
+  // A fifth of 720 px above the instruments.
+  expect(covered({ ...WIDE, card: box([400, 120, 880, 366]) }).top).toBe(366);
+  expect(covered({ ...WIDE, card: box([400, 120, 880, 367]) }).top).toBe(110);
+  expect(covered({ ...WIDE, card: box([900, 120, 1280, 300]) }).top).toBe(110);
+});
+
+it('are the goal’s own words where it has no keys', () => {
+  const ended = box([400, 12, 880, 70], { '.goal-how': NOWHERE, '.goal-words': [410, 30, 870, 58] });
+  expect(covered({ ...WIDE, goal: ended }).top).toBe(58);
 });
 
 it('are zero for panels that are hidden, beside the middle or below the picture', () => {

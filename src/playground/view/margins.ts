@@ -3,6 +3,9 @@ import type { SceneView } from '../../scene';
 /** The elements over the picture, by ID. */
 type Part = (id: string) => HTMLElement;
 
+/** Share of the picture's height that the ship needs: a card that leaves less lies over it. */
+const ROOM = 0.2;
+
 /** What panels cover of the picture's middle, CSS pixels. The advice below the goal comes and goes: the picture does not follow it. */
 export function coveredBy(window: Window, part: Part): { readonly top: number; readonly bottom: number } {
   const picture = part('picture').getBoundingClientRect();
@@ -17,10 +20,16 @@ export function coveredBy(window: Window, part: Part): { readonly top: number; r
   const lowest = [isOver ? foot : null, part('pads').querySelector('.thumb-middle')].map(
     (element) => rectOf(element)?.top ?? picture.bottom,
   );
-  return {
-    top: Math.max(0, (rectOf(part('goal').querySelector('.goal-how'))?.bottom ?? picture.top) - picture.top),
-    bottom: Math.max(0, picture.bottom - Math.min(...lowest)),
-  };
+  const bottom = Math.max(0, picture.bottom - Math.min(...lowest));
+  const goal = part('goal');
+  // After the end the goal has no keys.
+  const goalRect = rectOf(goal.querySelector('.goal-how')) ?? rectOf(goal.querySelector('.goal-words'));
+  const [overGoal, overCard] = [goalRect, rectOf(part('card'))].map((rect) =>
+    Math.max(0, (rect?.bottom ?? picture.top) - picture.top),
+  ) as [number, number];
+  const height = picture.bottom - picture.top;
+  const top = height - bottom - overCard >= ROOM * height ? Math.max(overGoal, overCard) : overGoal;
+  return { top, bottom };
 }
 
 /** Keeps the ship between the panels over the picture. */
@@ -29,5 +38,5 @@ export function watchMargins(window: Window & typeof globalThis, part: Part, sce
     const { top, bottom } = coveredBy(window, part);
     sceneView.setMargins(top, bottom);
   });
-  for (const id of ['picture', 'goal', 'foot', 'flight', 'pads']) observer.observe(part(id));
+  for (const id of ['picture', 'goal', 'card', 'foot', 'flight', 'pads']) observer.observe(part(id));
 }

@@ -44,7 +44,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       parts.cockpit.paint(view, nextTurn(isFast, hasDrawnDock));
       const { flight, aids } = parts.cockpit;
       parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
-      parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
+      paintThumbs(parts);
       parts.sound?.follow(view.own, flight, aids);
       textAlternative.update(view, parts.cockpit.landing(), now);
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
@@ -91,4 +91,13 @@ function createAutopilotEnd(notice: Notice): (reason: string) => void {
     if (reason !== '') notice.show(textOf(reason));
     shown = reason;
   };
+}
+
+/** What the lever and the buttons of a touch screen show. */
+function paintThumbs({ cockpit: { flight }, devices: { thumbs }, live }: Parts): void {
+  const isFlownByIt = live.flightControls.autopilot.isOn();
+  thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
+  thumbs.mark('rateDamping', flight.damping);
+  thumbs.mark('modeUpright', flight.mode === 'radial' && !isFlownByIt);
+  thumbs.mark('autopilot', isFlownByIt);
 }

@@ -13,7 +13,11 @@ export interface ThumbListeners {
 export interface Thumbs {
   /** Throttle, 0 … 1, and the one that hovers, 0 … 1 or NaN. */
   readonly show: (throttle: number, hover: number) => void;
+  /** Marks a mode's button as on or off. */
+  readonly mark: (mode: ThumbMode, isOn: boolean) => void;
 }
+
+export type ThumbMode = 'rateDamping' | 'modeUpright' | 'autopilot';
 
 // The lever's place is the root of the throttle: a ship hovers at a tenth of it, and there a finger's width must not be a third.
 
@@ -45,7 +49,12 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   lever.step = '0.5';
   lever.addEventListener('input', () => listeners.lever((lever.valueAsNumber / 100) ** 2));
   const buttons = append(middle, 'div', 'thumb-buttons');
-  for (const [action, text] of BUTTONS) appendButton(buttons, text, () => listeners.pressed(action));
+  const marks = new Map<Action, HTMLElement>();
+  for (const [action, text] of BUTTONS)
+    marks.set(
+      action,
+      appendButton(buttons, text, () => listeners.pressed(action)),
+    );
   const column = append(host, 'div', 'thumb-column');
   createStickPad(column, 'Lift', (_, up) => {
     deflection().pushUp = up;
@@ -58,6 +67,11 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   let shownThrottle = NaN;
   let shownHover = NaN;
   return {
+    mark(mode, isOn) {
+      const button = marks.get(mode)!;
+      if (button.getAttribute('aria-pressed') !== String(isOn))
+        button.setAttribute('aria-pressed', String(isOn));
+    },
     show(throttle, hover) {
       const percent = Math.round(throttle * 100);
       const hoverPercent = Math.round(hover * 100);

@@ -178,6 +178,13 @@ describeInBrowser('fingers on the built page', () => {
     await page.getByRole('button', { name: 'Cut', exact: true }).tap();
     await expect.poll(() => throttleOf(page)).toBe(0);
 
+    const isOn = () =>
+      page.locator('.thumb-buttons button').evaluateAll((all) => all.map((one) => one.ariaPressed));
+    await page.getByRole('button', { name: 'Upright', exact: true }).tap();
+    await expect.poll(isOn).toEqual([null, 'true', 'true', 'false']);
+    await page.getByRole('button', { name: 'Auto', exact: true }).tap();
+    await expect.poll(isOn).toEqual([null, 'true', 'false', 'true']);
+
     const hud = await middleOf('.td-landing');
     await touch('touchStart', { ...hud, id: 0 });
     for (let n = 1; n <= 6; n++) await touch('touchMove', { x: hud.x, y: hud.y - 40 * n, id: 0 });

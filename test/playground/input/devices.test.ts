@@ -219,8 +219,12 @@ describe('the thumb sticks', () => {
     expect(lever.value).toBe('kept');
   });
 
-  it('have buttons for the engine and the modes', () => {
-    const { root, take } = createPads();
+  it('have buttons for the engine and the modes, which show what is on', () => {
+    const { root, take, thumbs } = createPads();
+    const pressed = () => all(root, 'button').map((button) => button.getAttribute('aria-pressed'));
+    for (const mode of ['rateDamping', 'modeUpright', 'autopilot'] as const)
+      thumbs.mark(mode, mode === 'modeUpright');
+    expect(pressed()).toEqual([null, 'false', 'true', 'false']);
     const buttons = all(root, 'button').map((button) => {
       fire(button, 'click');
       return [button.textContent, take()];

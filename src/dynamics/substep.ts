@@ -1,5 +1,5 @@
 import { actuate } from './actuators/actuators';
-import { exchangePositions, fly } from './contact/flight';
+import { swapPositions, fly } from './contact/flight';
 import { moveOnGround } from './contact/forces';
 import {
   BODY_ANGULAR_VELOCITY,
@@ -79,10 +79,10 @@ function flySubstep(): number {
 /** Step 9 of a flying ship that is in the ground. Its penetration at the start is read only now: most flying ships do not touch. */
 function meetGround(): number {
   const q = quantities;
-  exchangePositions();
+  swapPositions();
   readSurface(BODY_ATTITUDE, false);
   q[START_PENETRATION] = q[PENETRATION]!;
-  exchangePositions();
+  swapPositions();
   readSurface(BODY_END_ATTITUDE, true);
   return makeTransition();
 }

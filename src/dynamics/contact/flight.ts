@@ -50,7 +50,7 @@ export function fly(): void {
 }
 
 /** Exchanges POSITION and START_POSITION: later reads of the ship see the other end of the substep. */
-export function exchangePositions(): void {
+export function swapPositions(): void {
   const q = quantities;
   const { ships, at } = step;
   for (let k = 0; k < 3; k++) {

@@ -22,7 +22,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const loop = createFrameLoop(window, root, {
     sceneView,
     resolution,
-    look(milliseconds) {
+    nextView(milliseconds) {
       parts.devices.read();
       parts.actions.tick(milliseconds / 1000);
       const now = parts.live.clock.now();
@@ -52,7 +52,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       if (parts.loop.isWarm()) report(view);
     },
     isLoading: parts.live.isLoading,
-    dress: (view) => (parts.recording.deck.replay() === null ? parts.game.ghost.join(view) : view),
+    viewForScene: (view) => (parts.recording.deck.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');
       registerServiceWorker(window, () => (root.dataset['offline'] = 'ready'));

@@ -10,7 +10,7 @@ const TRIES: ButtonRow = [
   ['tryTopple', 'Tip over, then right the ship with the key shown'],
   ['tryLastState', 'See the same without prediction'],
 ];
-const TROUBLES: ButtonRow = [
+const DISTURBANCES: ButtonRow = [
   ['kick', 'Kick the ship'],
   ['spike', 'Lag spike'],
   ['freeze', 'Freeze the server'],
@@ -61,7 +61,7 @@ export function appendWorkshop(host: Element, { form, addButton, addRow }: Works
   append(host, 'h3', '', 'Experiment');
   addRow(host, EXPERIMENTS);
   append(host, 'h3', '', 'Disturb');
-  addRow(host, TROUBLES);
+  addRow(host, DISTURBANCES);
   append(host, 'h3', '', 'Share and view');
   addRow(host, SHARE);
   append(host, 'p', 'quiet run');

@@ -6,12 +6,12 @@ import type { Resolution } from './resolution';
 /** The members of the page that a frame needs. */
 export interface FrameContext {
   readonly sceneView: SceneView | null;
-  /** The view to show now; `milliseconds` of the frame. */
-  readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
+  /** The view to show now, and its page clock s; `milliseconds` of the frame. */
+  readonly nextView: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
   /** Shows everything but the picture; `isFast`: the frame before was less than SLOW_FRAME ago. */
   readonly paint: (view: WorldView, now: number, isFast: boolean) => void;
-  /** The view for the picture, including a ghost ship. */
-  readonly dress: (view: WorldView) => WorldView;
+  /** The view for the scene, including a ghost ship. */
+  readonly viewForScene: (view: WorldView) => WorldView;
   /** The first picture is drawn. */
   readonly opened: () => void;
   /** A world has been asked for and has not come yet. */
@@ -42,7 +42,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
 
   function frame(milliseconds: number): void {
     if (!isFrozen) window.requestAnimationFrame(frame);
-    const { view, now } = context.look(milliseconds);
+    const { view, now } = context.nextView(milliseconds);
     context.paint(view, now, milliseconds - before < SLOW_FRAME);
     before = milliseconds;
     // Before the picture: a canvas that changes size is blank until it is drawn again.
@@ -53,7 +53,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
       isResized = false;
       context.fit();
     }
-    if (view.ready && (isWarm || !isBuilding)) sceneView?.draw(context.dress(view), now);
+    if (view.ready && (isWarm || !isBuilding)) sceneView?.draw(context.viewForScene(view), now);
     if (view.ready && !isWarm) {
       isBuilding = true;
       isWarm = sceneView === null || sceneView.hasDrawn();

@@ -14,7 +14,7 @@ import {
   quaternion,
   take,
   toRotationVector,
-  turnBetween,
+  rotationBetween,
   vector,
 } from './rotation';
 
@@ -122,7 +122,7 @@ export const POLICY_STALL = 2;
 /** Applies a correction: offset += old predicted − new predicted, both at one instant and in the body's axes (PREDICTION, Drawing). */
 export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
   for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - next.position[k]!);
-  turnBetween(turn, old.attitude, next.attitude);
+  rotationBetween(turn, old.attitude, next.attitude);
   fromRotationVector(eased, ease.turn);
   compose(turn, eased, turn);
   normalize(turn);
@@ -146,7 +146,7 @@ function ageOf({ timeline, front }: Simulation, { serverTick }: Track): number {
 /** Whether a correction is within 60°, and within 25 m plus `covered`, m: the distance flown since the last state, or skipped. */
 function isEasable(old: Pose, next: Pose, covered: number): boolean {
   for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - next.position[k]!;
-  turnBetween(turn, old.attitude, next.attitude);
+  rotationBetween(turn, old.attitude, next.attitude);
   return lengthOf(jump) <= SNAP_DISTANCE + covered && angleOf(turn) <= SNAP_ANGLE;
 }
 

@@ -10,7 +10,7 @@ import {
 import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
-import { lengthOf, rotateBack, seenFrom } from './rotation';
+import { lengthOf, rotateBack, relativeRotation } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
 import type { LevelGround } from './snap/levelSnap';
 import type { Scene } from './scene';
@@ -20,7 +20,7 @@ import type { ShipView } from './view';
 /** The server's newest state as a ghost, in the body's axes, so that it turns with the body. */
 export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
   rotateBack(out.ghostPosition, serverBodyAttitude, out.serverPosition);
-  seenFrom(out.ghostAttitude, serverBodyAttitude, out.serverAttitude);
+  relativeRotation(out.ghostAttitude, serverBodyAttitude, out.serverAttitude);
 }
 
 /**

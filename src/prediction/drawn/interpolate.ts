@@ -25,7 +25,7 @@ import {
   rotate,
   take,
   toRotationVector,
-  turnBetween,
+  rotationBetween,
   vector,
 } from './rotation';
 
@@ -40,7 +40,7 @@ export function rowOfPolicy(sim: Simulation, track: Track, turned: TurnedBodies)
     take(seen.position, drawn, POSITION);
     take(seen.attitude, drawn, ATTITUDE);
     fadeFromHeld(sim, track, seen);
-    turnWithBody(drawn, attitude, spin);
+    rowToIcrf(drawn, attitude, spin);
     return drawn;
   }
   seeServerState(seen, drawn, track);
@@ -107,7 +107,7 @@ function blendColumns(row: Float64Array, column: number, { a, b, share }: Betwee
 function turnOver(row: Float64Array, { a, b, share }: Between): void {
   take(first, a, ATTITUDE);
   take(second, b, ATTITUDE);
-  turnBetween(turn, second, first);
+  rotationBetween(turn, second, first);
   toRotationVector(way, turn);
   for (let k = 0; k < 3; k++) way[k] = way[k]! * share;
   fromRotationVector(turn, way);
@@ -116,7 +116,7 @@ function turnOver(row: Float64Array, { a, b, share }: Between): void {
 }
 
 /** Converts a row from the axes of a body with this attitude and spin to ICRF axes. */
-export function turnWithBody(row: Float64Array, attitude: Float64Array, spin: Float64Array): void {
+export function rowToIcrf(row: Float64Array, attitude: Float64Array, spin: Float64Array): void {
   for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
     take(way, row, column);
     rotate(way, attitude, way);

@@ -12,7 +12,7 @@ import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
 import type { Scene } from './scene';
 import { type Pose, pose } from './pose';
-import { compose, cross, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
+import { compose, cross, put, rotate, rotateBack, relativeRotation, take, vector } from './rotation';
 
 /**
  * The row at the present of a ship that is not in step: asleep, held as last predicted, or in its last server state,
@@ -45,7 +45,7 @@ export function seeServerState(seen: Pose, row: Float64Array, { serverBodyAttitu
   take(seen.position, row, POSITION);
   take(seen.attitude, row, ATTITUDE);
   rotateBack(seen.position, serverBodyAttitude, seen.position);
-  seenFrom(seen.attitude, serverBodyAttitude, seen.attitude);
+  relativeRotation(seen.attitude, serverBodyAttitude, seen.attitude);
 }
 
 /** Writes a pose in its body's axes into the row, in ICRF axes. */

@@ -1,6 +1,6 @@
 import { ATTITUDE, BODY_ATTITUDE, BODY_END_ATTITUDE, BODY_STRIDE, POSITION } from '../../dynamics';
 import { boundaryAt, knowsBoundary, rowsAt } from '../snapshots/bodies/bodyTrack';
-import { blend, quaternion, rotateBack, seenFrom, take, vector } from './rotation';
+import { blend, quaternion, rotateBack, relativeRotation, take, vector } from './rotation';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { Track } from '../simulation/track';
@@ -60,5 +60,5 @@ const end = quaternion();
 /** Converts an ICRF pose to a body's axes. */
 export function writeSeen(out: Pose, given: Pose, body: Float64Array): void {
   rotateBack(out.position, body, given.position);
-  seenFrom(out.attitude, body, given.attitude);
+  relativeRotation(out.attitude, body, given.attitude);
 }

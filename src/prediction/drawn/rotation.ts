@@ -67,12 +67,12 @@ export function compose(out: Float64Array, a: Float64Array, b: Float64Array): vo
 }
 
 /** out = a⁻¹ b: b in a's axes. */
-export function seenFrom(out: Float64Array, a: Float64Array, b: Float64Array): void {
+export function relativeRotation(out: Float64Array, a: Float64Array, b: Float64Array): void {
   multiply(out, a, -1, b, 1);
 }
 
 /** out = a b⁻¹: the rotation from b to a, in the axes in which both are given. */
-export function turnBetween(out: Float64Array, a: Float64Array, b: Float64Array): void {
+export function rotationBetween(out: Float64Array, a: Float64Array, b: Float64Array): void {
   multiply(out, a, 1, b, -1);
 }
 

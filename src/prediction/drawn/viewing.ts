@@ -35,7 +35,7 @@ import {
   quaternion,
   rotate,
   rotateBack,
-  seenFrom,
+  relativeRotation,
   take,
   vector,
 } from './rotation';
@@ -111,7 +111,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.own = track.own;
   out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
-  seeFromBody(out, scene, attitude);
+  rowToBodyAxes(out, scene, attitude);
   if (track.picture.ease.active)
     advanceEase(
       track.picture.ease,
@@ -168,9 +168,9 @@ function fillFromRow(out: ShipView, from: Float64Array): void {
 }
 
 /** The pose in the body's axes, and the local up there. */
-function seeFromBody(out: ShipView, { seen, normal }: Scene, body: Float64Array): void {
+function rowToBodyAxes(out: ShipView, { seen, normal }: Scene, body: Float64Array): void {
   rotateBack(seen.position, body, out.position);
-  seenFrom(seen.attitude, body, out.attitude);
+  relativeRotation(seen.attitude, body, out.attitude);
   const perDistance = 1 / lengthOf(seen.position);
   for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! * perDistance;
 }

@@ -26,7 +26,7 @@ import {
   quaternion,
   rotate,
   rotateBack,
-  seenFrom,
+  relativeRotation,
   take,
   vector,
 } from '../drawn/rotation';
@@ -93,7 +93,7 @@ function sleepAt(track: Track, bodies: Float64Array): void {
   take(track.sleepPlace, track.serverRow, POSITION);
   rotateBack(track.sleepPlace, body, track.sleepPlace);
   take(track.sleepAttitude, track.serverRow, ATTITUDE);
-  seenFrom(track.sleepAttitude, body, track.sleepAttitude);
+  relativeRotation(track.sleepAttitude, body, track.sleepAttitude);
 }
 
 /** Writes the sleeping pose into a row, for the given attitude and spin of the body; the rest of the row stays. */

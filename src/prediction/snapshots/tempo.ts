@@ -15,6 +15,7 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   const { clock } = receiver;
   const first = timeline.spans.length === 0;
   const wasPaused = !first && spanOf(timeline, frame.tick).paused;
+  // When the server sent the frame, server wall s, where the ticks do not give it.
   const untimed =
     first || frame.tick === sim.newestTick
       ? null
@@ -28,10 +29,10 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   }
   const resumes = wasPaused && !frame.paused;
   const changes = untimed !== null || (!first && differs(sim, frame));
-  // The present pose is of the old tempo.
+  // The pose at the present was simulated by the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
   if (changes) followTickRate(sim.cadence, spanOf(timeline, frame.tick).tickRate, frame.tickRate);
-  // At which of the ticks since the last frame the tempo changed is not sent.
+  // The server does not send at which of the ticks since the last frame the tempo changed.
   if (changes && frame.tick > sim.newestTick + 1) sim.bodiesKnown = false;
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
   if (changes) retime(sim, frame.tick);
@@ -45,6 +46,7 @@ function wallAfterPause(sim: Simulation, receiver: Receiver, now: number): numbe
   return span.fromWall + Math.max(0, beats) / span.tickRate;
 }
 
+/** Forgets what was predicted after `tick` by the old tempo. */
 function retime(sim: Simulation, tick: number): void {
   forgetBodiesAfter(sim.bodies, tick);
   for (const track of sim.fleet.tracks) {

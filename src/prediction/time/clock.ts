@@ -1,4 +1,4 @@
-import { addDelay, createDelays, type Delays, leastOf, lowerDelay, spreadOf } from './delays';
+import { addDelay, createDelays, type Delays, minDelay, lowerDelay, spreadOf } from './delays';
 import {
   boundAbove,
   boundBelow,
@@ -182,7 +182,7 @@ export function slackOf(clock: Clock): number {
 }
 
 function leastRoundTrip(clock: Clock): number {
-  const least = leastOf(clock.roundTrips);
+  const least = minDelay(clock.roundTrips);
   return Number.isNaN(least) ? ASSUMED_ROUND_TRIP : least;
 }
 

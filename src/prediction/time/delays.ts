@@ -45,7 +45,7 @@ export function lowerDelay(delays: Delays, value: number): void {
 }
 
 /** The smallest delay, s; NaN without samples. */
-export function leastOf({ values, count }: Delays): number {
+export function minDelay({ values, count }: Delays): number {
   const n = Math.min(count, values.length);
   if (n === 0) return Number.NaN;
   let least = values[0]!;
@@ -67,7 +67,7 @@ export function spreadOf(delays: Delays, most: number): number {
 }
 
 function measureSpread(delays: Delays, most: number): number {
-  const least = leastOf(delays);
+  const least = minDelay(delays);
   if (Number.isNaN(least)) return 0;
   const { values, sorted, count } = delays;
   let n = 0;

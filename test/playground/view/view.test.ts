@@ -71,12 +71,12 @@ describe('the frame loop', () => {
     };
     const loop = createFrameLoop(window as unknown as Window, root as unknown as HTMLElement, {
       sceneView: hasScene ? (sceneView as unknown as SceneView) : null,
-      look: () => ({
+      nextView: () => ({
         view: { ...makeView(), ready: state.ready, tick: state.seconds, sinceTick: 0 },
         now: 0,
       }),
       paint: (_view, _now, isFast) => done.push(isFast ? 'paint fast' : 'paint'),
-      dress: (view) => view,
+      viewForScene: (view) => view,
       opened: () => done.push('opened'),
       isLoading: () => state.loading,
       resolution: { measure: (now) => (done.push(`measure ${String(now)}`), state.share), share: () => 1 },

@@ -11,7 +11,7 @@ import {
   type Vec3,
   VELOCITY,
 } from '../../../src/dynamics';
-import { rowOfPolicy, turnWithBody } from '../../../src/prediction/drawn/interpolate';
+import { rowOfPolicy, rowToIcrf } from '../../../src/prediction/drawn/interpolate';
 import type { TurnedBodies } from '../../../src/prediction/drawn/scene';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { cross, plus, product, rotate, turnAbout, unit } from '../../dynamics/vectors';
@@ -129,7 +129,7 @@ describe('a row in a body’s axes', () => {
     const turn = turnAbout(unit([1, 2, 2]), 0.7);
     const spin: Vec3 = [0.01, -0.02, 0.03];
     const row = rowOf(FROM, FLYING);
-    turnWithBody(row, Float64Array.from(turn), Float64Array.from(spin));
+    rowToIcrf(row, Float64Array.from(turn), Float64Array.from(spin));
     const position = rotate(turn, [...FROM.position]);
     expectNear([...row.subarray(POSITION, POSITION + 3)], position);
     const velocity = plus(rotate(turn, [...FROM.velocity]), cross(spin, position));

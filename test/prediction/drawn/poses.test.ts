@@ -17,7 +17,7 @@ import {
 } from '../../../src/dynamics';
 import { captureDrawn, easeCorrection, fadeFromHeld } from '../../../src/prediction/drawn/correction';
 import { rowOfPolicy } from '../../../src/prediction/drawn/interpolate';
-import { seeFromBody } from '../../../src/prediction/simulation/rings/serverStates';
+import { rowToBodyAxes } from '../../../src/prediction/simulation/rings/serverStates';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { wallOfTick } from '../../../src/prediction/time/timeline';
 import { conjugate, cross, plus, product, rotate, times, turnAbout, unit } from '../../dynamics/vectors';
@@ -137,7 +137,7 @@ describe('a ship drawn between two server states', () => {
     bodies.set(BODY, BODY_ATTITUDE);
     bodies.set(SPIN, BODY_ANGULAR_VELOCITY);
     const own = drawn(0, path).row.slice();
-    seeFromBody(own, bodies);
+    rowToBodyAxes(own, bodies);
     near(read(own, POSITION), PLACE!, 5);
     near(read(own, VELOCITY), MOVING!);
     near(read(own, ANGULAR_VELOCITY), falling(0).spin, 9);

@@ -69,14 +69,14 @@ describe('a rotation', () => {
       turned(A, turned(B, V)),
     );
     near(
-      effect((out) => rotation.seenFrom(out, a, b)),
+      effect((out) => rotation.relativeRotation(out, a, b)),
       turned(back(A), turned(B, V)),
     );
     near(
-      effect((out) => rotation.turnBetween(out, a, b)),
+      effect((out) => rotation.rotationBetween(out, a, b)),
       turned(A, turned(back(B), V)),
     );
-    for (const combine of [rotation.compose, rotation.seenFrom, rotation.turnBetween])
+    for (const combine of [rotation.compose, rotation.relativeRotation, rotation.rotationBetween])
       near(
         [rotation.angleOf(written(4, (out) => combine(out, a, a)))],
         [combine === rotation.compose ? 2.2 : 0],

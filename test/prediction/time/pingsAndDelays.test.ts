@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { addDelay, createDelays, leastOf, lowerDelay, spreadOf } from '../../../src/prediction/time/delays';
+import { addDelay, createDelays, minDelay, lowerDelay, spreadOf } from '../../../src/prediction/time/delays';
 import { answeredPing, createPings, forgetPings, pingIfDue } from '../../../src/prediction/time/pings';
 
 function delaysOf(values: readonly number[], length = values.length) {
@@ -10,12 +10,12 @@ function delaysOf(values: readonly number[], length = values.length) {
 
 describe('recent delays', () => {
   it('have no minimum and no spread before the first sample', () => {
-    expect(leastOf(createDelays(4))).toBeNaN();
+    expect(minDelay(createDelays(4))).toBeNaN();
     expect(spreadOf(createDelays(4), 0.3)).toBe(0);
   });
 
   it('forget old samples, even the smallest', () => {
-    expect(leastOf(delaysOf([0.01, 0.05, 0.06, 0.07], 3))).toBe(0.05);
+    expect(minDelay(delaysOf([0.01, 0.05, 0.06, 0.07], 3))).toBe(0.05);
   });
 
   it('of one queue count once, as the smallest', () => {

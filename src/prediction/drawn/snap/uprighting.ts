@@ -11,7 +11,7 @@ import type { Track } from '../../simulation/track';
 import type { RowStep } from '../../simulation/rowStep';
 import { addToOffset } from '../correction';
 import { pose } from '../pose';
-import { compose, fromRotationVector, quaternion, seenFrom, take, vector } from '../rotation';
+import { compose, fromRotationVector, quaternion, relativeRotation, take, vector } from '../rotation';
 
 /** Whether the dynamics turn a ship upright instantly at this event. */
 export function uprights(sim: Simulation, event: number): boolean {
@@ -32,8 +32,8 @@ export function easeUprighting(sim: Simulation, track: Track, step: RowStep): vo
   take(unturned.attitude, before, beforeAt + ATTITUDE);
   compose(unturned.attitude, turn, unturned.attitude);
   take(turned.attitude, rows, at + ATTITUDE);
-  seenFrom(unturned.attitude, body, unturned.attitude);
-  seenFrom(turned.attitude, body, turned.attitude);
+  relativeRotation(unturned.attitude, body, unturned.attitude);
+  relativeRotation(turned.attitude, body, turned.attitude);
   unturned.position.fill(0);
   turned.position.fill(0);
   addToOffset(track.picture.ease, unturned, turned);

@@ -8,7 +8,7 @@ import {
   REFERENCE_BODY,
   VELOCITY,
 } from '../../../dynamics';
-import { cross, put, quaternion, rotateBack, seenFrom, take, vector } from '../../drawn/rotation';
+import { cross, put, quaternion, rotateBack, relativeRotation, take, vector } from '../../drawn/rotation';
 
 /**
  * The newest server states of one ship, oldest first, for interpolation. In each row position, velocity, attitude and
@@ -24,7 +24,7 @@ export function createServerStates(): ServerStates {
 }
 
 /** Converts a row from ICRF axes to those of its reference body, with the velocity relative to the turning body. */
-export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
+export function rowToBodyAxes(row: Float64Array, bodies: Float64Array): void {
   const at = row[REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, at + BODY_ATTITUDE);
   take(spin, bodies, at + BODY_ANGULAR_VELOCITY);
@@ -37,7 +37,7 @@ export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
     put(row, column, place);
   }
   take(attitude, row, ATTITUDE);
-  seenFrom(attitude, body, attitude);
+  relativeRotation(attitude, body, attitude);
   put(row, ATTITUDE, attitude);
 }
 

@@ -15,7 +15,7 @@ import {
   quaternion,
   take,
   toRotationVector,
-  turnBetween,
+  rotationBetween,
   vector,
 } from '../../drawn/rotation';
 
@@ -67,7 +67,7 @@ export function spunMotion(spin: BodySpin, sent: BodyMotion, tick: number, secon
   const rate = Math.sqrt(x * x + y * y + z * z);
   now.set(sent.attitude);
   if (spin.tick >= 0 && tick > spin.tick && rate > MIN_SPIN) {
-    turnBetween(turn, now, spin.attitude);
+    rotationBetween(turn, now, spin.attitude);
     toRotationVector(way, turn);
     const turned = (way[0]! * x + way[1]! * y + way[2]! * z) / rate;
     accept(spin, spin.byAttitude, turned / (rate * seconds));

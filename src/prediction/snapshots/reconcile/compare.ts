@@ -20,9 +20,9 @@ import {
   lengthOf,
   quaternion,
   rotateBack,
-  seenFrom,
+  relativeRotation,
   take,
-  turnBetween,
+  rotationBetween,
   vector,
 } from '../../drawn/rotation';
 
@@ -121,7 +121,7 @@ export function writeError(out: PredictionError, server: Place, predicted: Place
   seeBoth(server, predicted);
   for (let k = 0; k < 3; k++) serverSeen.place[k] = serverSeen.place[k]! - predictedSeen.place[k]!;
   out.errorPosition = lengthOf(serverSeen.place);
-  turnBetween(turn, serverSeen.attitude, predictedSeen.attitude);
+  rotationBetween(turn, serverSeen.attitude, predictedSeen.attitude);
   out.errorAngle = angleOf(turn);
 }
 
@@ -148,18 +148,18 @@ const predictedSeen = seen();
 const body = quaternion();
 
 function seeBoth(server: Place, predicted: Place): void {
-  seeFromBody(serverSeen, server);
-  seeFromBody(predictedSeen, predicted);
+  rowToBodyAxes(serverSeen, server);
+  rowToBodyAxes(predictedSeen, predicted);
 }
 
-function seeFromBody(out: Seen, { rows, at, bodies }: Place): void {
+function rowToBodyAxes(out: Seen, { rows, at, bodies }: Place): void {
   take(body, bodies, rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
   take(out.place, rows, at + POSITION);
   rotateBack(out.place, body, out.place);
   take(out.velocity, rows, at + VELOCITY);
   rotateBack(out.velocity, body, out.velocity);
   take(out.attitude, rows, at + ATTITUDE);
-  seenFrom(out.attitude, body, out.attitude);
+  relativeRotation(out.attitude, body, out.attitude);
   take(out.spin, rows, at + ANGULAR_VELOCITY);
   rotateBack(out.spin, body, out.spin);
 }

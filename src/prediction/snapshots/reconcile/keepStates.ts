@@ -9,10 +9,10 @@ import {
   SHIP_STRIDE,
   VELOCITY,
 } from '../../../dynamics';
-import { turnWithBody } from '../../drawn/interpolate';
+import { rowToIcrf } from '../../drawn/interpolate';
 import { quaternion, take, vector } from '../../drawn/rotation';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
-import { createServerStates, seeFromBody, type ServerStates } from '../../simulation/rings/serverStates';
+import { createServerStates, rowToBodyAxes, type ServerStates } from '../../simulation/rings/serverStates';
 import type { Boundary, Simulation } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 
@@ -32,7 +32,7 @@ export function keepServerState(
   const kept = rows.length < KEPT ? new Float64Array(SHIP_STRIDE) : rows.shift()!;
   if (ticks.length === KEPT) ticks.shift();
   kept.set(row);
-  seeFromBody(kept, bodies);
+  rowToBodyAxes(kept, bodies);
   rows.push(kept);
   ticks.push(tick);
 }
@@ -55,7 +55,7 @@ function rebase(row: Float64Array, bodies: Float64Array, to: number): void {
   const next = to * BODY_STRIDE;
   take(attitude, bodies, old + BODY_ATTITUDE);
   take(spin, bodies, old + BODY_ANGULAR_VELOCITY);
-  turnWithBody(row, attitude, spin);
+  rowToIcrf(row, attitude, spin);
   for (let k = 0; k < 3; k++) {
     row[POSITION + k] =
       row[POSITION + k]! + (bodies[old + BODY_POSITION + k]! - bodies[next + BODY_POSITION + k]!);
@@ -63,7 +63,7 @@ function rebase(row: Float64Array, bodies: Float64Array, to: number): void {
       row[VELOCITY + k]! + (bodies[old + BODY_VELOCITY + k]! - bodies[next + BODY_VELOCITY + k]!);
   }
   row[REFERENCE_BODY] = to;
-  seeFromBody(row, bodies);
+  rowToBodyAxes(row, bodies);
 }
 
 const attitude = quaternion();

@@ -7,7 +7,7 @@ import {
   REFERENCE_BODY,
   SHIP_STRIDE,
 } from '../../../dynamics';
-import { angleOf, quaternion, rotateBack, take, turnBetween, vector } from '../../drawn/rotation';
+import { angleOf, quaternion, rotateBack, take, rotationBetween, vector } from '../../drawn/rotation';
 import { createMisfit, replayBetween } from '../../ground/trial';
 import { actsBetween } from '../../inputs/scheduledInput';
 import { extrapolateRow } from '../../simulation/extrapolate';
@@ -106,7 +106,7 @@ function errorOf(a: Place, b: Place): number {
   const apart = Math.hypot(place[0]! - other[0]!, place[1]! - other[1]!, place[2]! - other[2]!);
   take(attitude, a.rows, a.at + ATTITUDE);
   take(otherAttitude, b.rows, b.at + ATTITUDE);
-  turnBetween(turn, attitude, otherAttitude);
+  rotationBetween(turn, attitude, otherAttitude);
   return apart + b.rows[b.at + GROUND_CONTACT_OFFSET]! * angleOf(turn);
 }
 

@@ -74,7 +74,7 @@ function keeping() {
 }
 
 /** What of the state `seen` from body `body` is in its turning axes, by the formulas. */
-function seenFrom(body: number, { position, velocity, spin, attitude } = STATE) {
+function relativeRotation(body: number, { position, velocity, spin, attitude } = STATE) {
   const { spin: turning, turn } = BODIES[body]!;
   const back = conjugate(turn);
   return [
@@ -98,7 +98,7 @@ describe('the states kept for interpolation', () => {
     for (const body of [0, 1]) {
       const { keep } = keeping();
       const states = keep(TICK, stateOf(body));
-      expectNear(kept(states.rows[0]!), seenFrom(body));
+      expectNear(kept(states.rows[0]!), relativeRotation(body));
     }
   });
 
@@ -121,8 +121,8 @@ describe('the states kept for interpolation', () => {
       velocity: plus(STATE.velocity, plus(from.speed, to.speed, -1)),
     };
     expect(states.rows.map((row) => row[REFERENCE_BODY])).toEqual([1, 1]);
-    expectNear(kept(states.rows[0]!), seenFrom(1, moved));
-    expectNear(kept(states.rows[1]!), seenFrom(1));
+    expectNear(kept(states.rows[0]!), relativeRotation(1, moved));
+    expectNear(kept(states.rows[1]!), relativeRotation(1));
   });
 
   it('are dropped at a change of body if the bodies of their tick are no longer known', () => {

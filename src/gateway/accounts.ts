@@ -29,9 +29,11 @@ const ISSUER = 'touchdown';
 const CHECKS = { issuer: ISSUER, algorithms: ['HS256'], requiredClaims: ['sub', 'exp'] };
 /** Bytes of a password hash. */
 const HASH_LENGTH = 32;
+/** Minimum characters of a secret. */
+export const MIN_SECRET = 32;
 
 /**
- * @param secret at least 32 characters, shared by all gateways of a game
+ * @param secret at least MIN_SECRET characters, shared by all gateways of a game
  * @param lifetime s
  * @param now wall s since 1970
  */
@@ -39,7 +41,7 @@ export async function createAccounts(
   accounts: readonly Account[],
   { secret, lifetime, now }: { secret: string; lifetime: number; now: () => number },
 ): Promise<Accounts> {
-  if (secret.length < 32) throw new RangeError('secret: expected at least 32 characters');
+  if (secret.length < MIN_SECRET) throw new RangeError(`secret: expected at least ${MIN_SECRET} characters`);
   const key = new TextEncoder().encode(secret);
   const stored = new Map<string, { playerId: string; salt: Buffer; digest: Buffer }>();
   for (const { username, playerId, password } of accounts) {

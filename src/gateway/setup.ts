@@ -1,6 +1,10 @@
 import { err, ok, type Result } from '../dynamics';
-import type { Account } from './accounts';
+import { type Account, MIN_SECRET } from './accounts';
 import type { GatewayOptions, Hangar } from './options';
+
+const DEFAULT_PORT = 8790;
+/** s: half a day. */
+const TOKEN_LIFETIME = 12 * 3600;
 
 type Environment = Readonly<Record<string, string | undefined>>;
 
@@ -19,8 +23,8 @@ export function loadSetup(
   machine: Pick<GatewayOptions, 'clock' | 'nonce' | 'log'>,
 ): Result<GatewayOptions> {
   const secret = given['TOUCHDOWN_SECRET'] ?? '';
-  if (secret.length < 32) return err('TOUCHDOWN_SECRET: expected at least 32 characters');
-  const port = Number(given['TOUCHDOWN_PORT'] ?? 8790);
+  if (secret.length < MIN_SECRET) return err(`TOUCHDOWN_SECRET: expected at least ${MIN_SECRET} characters`);
+  const port = Number(given['TOUCHDOWN_PORT'] ?? DEFAULT_PORT);
   if (!Number.isInteger(port) || port < 0 || port > 65535) return err('TOUCHDOWN_PORT: expected 0 to 65535');
   const accounts = readAccounts(given['TOUCHDOWN_ACCOUNTS'] ?? '[]');
   if (!accounts.ok) return accounts;
@@ -31,7 +35,7 @@ export function loadSetup(
     host: given['TOUCHDOWN_HOST'] ?? '127.0.0.1',
     port,
     secret,
-    tokenLifetime: 12 * 3600,
+    tokenLifetime: TOKEN_LIFETIME,
     accounts: accounts.value,
     origins: (given['TOUCHDOWN_ORIGINS'] ?? '').split(',').filter((origin) => origin !== ''),
     ...machine,

@@ -6,6 +6,7 @@ import type { ClientMessage } from './messages';
 import {
   type Bucket,
   CLOSE,
+  CLOSE_TIMEOUT,
   createBucket,
   EXCESS,
   INPUTS,
@@ -91,14 +92,14 @@ export function isFull(clients: readonly Pick<Client, 'address' | 'player'>[], a
   );
 }
 
-/** Closes a connection with a reason; terminates it if the close takes over 2 s. */
+/** Closes a connection with a reason; terminates it if the close takes longer than CLOSE_TIMEOUT. */
 export function disconnect(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
   if (client.isClosing || client.socket.readyState === WebSocket.CLOSED) return;
   client.isClosing = true;
   client.socket.close(code, reason);
-  const cut = setTimeout(() => client.socket.terminate(), 2000);
+  const cut = setTimeout(() => client.socket.terminate(), CLOSE_TIMEOUT * 1000);
   client.socket.once('close', () => clearTimeout(cut));
 }
 

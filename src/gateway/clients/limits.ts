@@ -20,6 +20,10 @@ export const INPUTS = { perSecond: 120, burst: 1024 };
 export const EXCESS = { perSecond: 1, burst: 200 };
 /** Bytes buffered in a client's socket above which states are skipped. */
 export const MAX_BUFFERED = 256 * 1024;
+/** Time for a client to answer a close before its connection is terminated, wall s. */
+export const CLOSE_TIMEOUT = 2;
+/** Maximum missed events that a client gets when it signs in again. */
+export const MAX_RESENT_EVENTS = 500;
 /** A client whose socket stays full longer than this is disconnected, wall s. */
 export const SLOW_TIMEOUT = 10;
 /** Maximum events queued for a slow client; beyond this it is disconnected and must reconnect. */

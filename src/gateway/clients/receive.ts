@@ -2,9 +2,12 @@ import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, disconnect } from './client';
 import type { GatewayState } from '../state';
 import type { OwnInput } from '../redis/inbox';
-import { CLOSE, consume, MAX_BUFFERED, MAX_QUEUED_MESSAGES } from './limits';
+import { CLOSE, consume, MAX_BUFFERED, MAX_QUEUED_MESSAGES, MAX_RESENT_EVENTS } from './limits';
 import { errorText, pongBytes, readBytes, readText, type ClientMessage } from './messages';
 import { sendHello, sendNewest } from './send';
+
+/** ms: setTimeout holds no more. */
+const MAX_TIMER = 2 ** 31 - 1;
 
 /** Handles a client's message. An invalid message can at worst close its own connection. */
 export function receive(gateway: GatewayState, client: Client, data: Buffer, isBinary: boolean): void {
@@ -96,7 +99,7 @@ async function signIn(
 /** Events that the client missed; none if Redis fails, so that the client can still sign in. */
 async function eventsSince({ feed }: GatewayState, since: number): Promise<readonly WorldEvent[]> {
   try {
-    return await feed.eventsSince(since, 500);
+    return await feed.eventsSince(since, MAX_RESENT_EVENTS);
   } catch {
     return [];
   }
@@ -115,8 +118,7 @@ function scheduleTokenRenewal(gateway: GatewayState, client: Client): void {
   const player = client.player!;
   const left = Math.max(0, player.expires - gateway.options.clock());
   const after = (seconds: number, callback: () => void) =>
-    // setTimeout holds at most 2³¹ ms.
-    client.timers.add(setTimeout(callback, Math.min(seconds * 1000, 2 ** 31 - 1)));
+    client.timers.add(setTimeout(callback, Math.min(seconds * 1000, MAX_TIMER)));
   after(left, () => disconnect(client, CLOSE.auth, 'The token has expired'));
   if (client.protocol === 'stream') return;
   after(left / 2, () => {

@@ -1,5 +1,5 @@
 import type { RedisClientType } from 'redis';
-import { decodeFrameJson, type ServerFrame, type WorldEvent } from '../../wire';
+import { decodeFrameJson, MAX_TICK, type ServerFrame, type WorldEvent } from '../../wire';
 import { type Faults, isWrongType } from './faults';
 
 /** Events in Redis, beyond those of the newest frames. */
@@ -11,13 +11,16 @@ export interface EventReader {
 }
 
 const EVENTS = 'touchdown:events';
+/** Newest events that are searched for those of missed ticks. */
+const MAX_MISSED = 1000;
 
 export function createEventReader(redis: RedisClientType, faults: Faults): EventReader {
   async function since(tick: number, count: number): Promise<readonly WorldEvent[]> {
     const entries = await redis.xRevRange(EVENTS, '+', '-', { COUNT: count });
     faults.clear(EVENTS);
     const sent = (entries ?? []).reverse().map(({ message }) => message);
-    const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
+    // Events may not be after their frame's tick: the highest admits all.
+    const decoded = decodeFrameJson({ tick: MAX_TICK, ships: [], events: sent });
     const events = decoded.ok ? decoded.value.events : undefined;
     return (events ?? []).filter((event) => event.tick >= tick);
   }
@@ -27,7 +30,7 @@ export function createEventReader(redis: RedisClientType, faults: Faults): Event
     async missed(tick, { events }) {
       const first = events[0]?.tick ?? Infinity;
       try {
-        return (await since(tick, 1000)).filter((event) => event.tick < first);
+        return (await since(tick, MAX_MISSED)).filter((event) => event.tick < first);
       } catch (error) {
         if (!isWrongType(error)) throw error;
         faults.report(EVENTS, 'stream', error);

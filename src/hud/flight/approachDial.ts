@@ -59,10 +59,13 @@ export function createApproachDial(parent: Element): (target: TargetReadout, aid
   };
 }
 
-/** The direction and distance of the pad in words, for readers who cannot see the dial. */
+/** Share of the distance below which a component is not named: directions within 24° of an axis are along it. */
+const UNNAMED = 0.4;
+
+/** The direction of the pad in words, for readers who cannot see the dial. */
 function directionText({ x, y, distance, radius }: TargetReadout): string {
   if (distance <= radius) return 'below you';
-  const enough = 0.4 * distance;
+  const enough = UNNAMED * distance;
   const along = y > enough ? 'ahead' : y < -enough ? 'behind' : '';
   const across = x > enough ? 'right' : x < -enough ? 'left' : '';
   return [along, across].filter((word) => word !== '').join(' ');

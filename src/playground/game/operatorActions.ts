@@ -4,6 +4,8 @@ import type { SavedControls } from './flightControls';
 /** Wall seconds of hiding, and of a lag spike. */
 const AWAY = 60;
 const SPIKE = 1.5;
+/** Kick of the player's ship: [east, north, up], m/s and rad/s. */
+const KICK = { velocity: [2, 0, 3], spin: [0, 0.35, 0] } as const;
 
 /** Commands of the built-in server's operator. */
 export interface OperatorActions {
@@ -120,7 +122,7 @@ function shipActions(
   return {
     kick() {
       markIntervention('the ship was kicked');
-      live.operate({ kind: 'kick', velocity: [2, 0, 3], spin: [0, 0.35, 0] });
+      live.operate({ kind: 'kick', ...KICK });
     },
     snapshot() {
       state.saved = live.flightControls.save();

@@ -4,6 +4,9 @@ import type { SceneView } from '../../scene';
 /** rad a CSS pixel of dragging; a key's turn, rad. */
 const DRAG = 0.006;
 const KEY_TURN = 0.09;
+/** Factor on the camera's distance of a key that zooms in; CSS pixels of the wheel for a factor of e. */
+const KEY_ZOOM = 0.88;
+const WHEEL = 300;
 
 /** Turns and zooms the camera: dragging, wheel, two fingers; arrow keys, + and − while the picture has the focus. */
 export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, shipDrag: ShipDrag): void {
@@ -13,7 +16,7 @@ export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, shipDra
     'wheel',
     (event) => {
       event.preventDefault();
-      scene.zoomCamera(Math.exp(Math.max(-1, Math.min(1, event.deltaY / 300))));
+      scene.zoomCamera(Math.exp(Math.max(-1, Math.min(1, event.deltaY / WHEEL))));
     },
     { passive: false },
   );
@@ -62,8 +65,8 @@ function listenToArrows(canvas: HTMLCanvasElement, scene: SceneView): void {
     };
     const turn = Object.hasOwn(turns, event.key) ? turns[event.key] : undefined;
     if (turn !== undefined) scene.turnCamera(turn[0], turn[1]);
-    else if (event.key === '+' || event.key === '=') scene.zoomCamera(0.88);
-    else if (event.key === '-') scene.zoomCamera(1 / 0.88);
+    else if (event.key === '+' || event.key === '=') scene.zoomCamera(KEY_ZOOM);
+    else if (event.key === '-') scene.zoomCamera(1 / KEY_ZOOM);
     else if (event.key === 'Home') scene.resetCamera();
     else return;
     event.preventDefault();

@@ -20,6 +20,8 @@ const CORRECTIONS = [
 
 /** Seconds across the strip. */
 const SPAN = 20;
+/** Most marks of one kind in one look: after a long absence the counters have grown by thousands. */
+const MAX_MARKS = 50;
 
 interface Mark {
   readonly at: number;
@@ -56,7 +58,7 @@ export function createNetStrip(host: Element): NetStrip {
     watch(diagnosis, now) {
       OUTCOMES.forEach(({ counter }, outcome) => {
         const count = diagnosis[counter];
-        const come = Math.min(count - before[outcome]!, 50);
+        const come = Math.min(count - before[outcome]!, MAX_MARKS);
         for (let i = 0; i < come; i++) marks.push({ at: now, outcome });
         before[outcome] = count;
       });

@@ -26,10 +26,8 @@ export function isTooLarge(text: string): boolean {
   return text.length > MAX_MESSAGE || new TextEncoder().encode(text).length > MAX_MESSAGE;
 }
 
-/** Detaches from the socket: later messages and events are ignored. */
+/** Detaches from the socket: later messages and events are ignored. Its `onerror` stays: a socket closed before it opens reports an error. */
 export function abandon(socket: GameSocket): void {
   socket.onopen = socket.onmessage = socket.onclose = null;
-  // A socket that is closed before it opens reports an error.
-  socket.onerror = () => undefined;
   socket.close();
 }

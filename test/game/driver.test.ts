@@ -39,6 +39,14 @@ it('sends no messages of the caller between the opening of the socket and the we
   expect(sent).toEqual(['auth', 'inputs']);
 });
 
+it('sends nothing, and says so, on a socket that is closing', () => {
+  const { driver, sent, socket } = openedDriver();
+  driver.dispatch({ kind: 'welcome' });
+  Object.assign(socket, { readyState: 2 });
+  expect(driver.write('inputs')).toBe(false);
+  expect(sent).toEqual(['auth']);
+});
+
 it.each([
   // The server's own interval, or the one seen where the server is slower than it says.
   ['told', 1, [3, 3, 4.5]],

@@ -1,5 +1,6 @@
 /** A running gateway with a real Redis and real sockets; the test writes the world. */
 import { EventEmitter } from 'node:events';
+import { connect as connectTcp } from 'node:net';
 import type { RedisClientType } from 'redis';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
@@ -236,5 +237,13 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     await close();
     for (const { closed } of clients) expect(await closed).toEqual([1001, 'The gateway is restarting']);
     await expect(fetch(`http://127.0.0.1:${gateway.port}/healthz`)).rejects.toThrow();
+  });
+
+  it('stops without waiting for a request whose end never comes', async () => {
+    const host = `127.0.0.1:${gateway.port}`;
+    const half = connectTcp(gateway.port, '127.0.0.1');
+    half.write(`GET /healthz HTTP/1.1\r\nHost: ${host}\r\n`);
+    expect((await fetch(`http://${host}/healthz`)).ok).toBe(true);
+    await Promise.all([close(), new Promise((resolve) => half.on('close', resolve))]);
   });
 });

@@ -8,7 +8,7 @@ import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
 import { consume, createBucket, MAX_STATE } from '../../src/gateway/clients/limits';
 import { readText } from '../../src/gateway/clients/messages';
-import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
+import { decodeFrameJson, decodeServerMessage, encodeFrameJson, type ShipState } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
 
 const SECRET = 'a secret that is long enough for a test';
@@ -22,6 +22,18 @@ it('joins shared parts into the same bytes as a frame encoded whole', () => {
     ok: true,
     value: { ...FRAME, ships: [FRAME.ships[1]], events: [], lastInput: null },
   });
+});
+
+it.each([
+  ['exactly 64 KB has', 0, ['ship-1', 'ship-2']],
+  ['one byte more lacks', 1, ['ship-1']],
+])('a state message that would be %s its last ship', (_, more, expected) => {
+  const [first, last] = FRAME.ships as [ShipState, ShipState];
+  const textOf = (name: string) => shareFrame({ ...FRAME, ships: [first, { ...last, name }] }).json([0, 1]);
+  const text = textOf('x'.repeat(MAX_STATE - Buffer.byteLength(textOf('')) + more));
+  const { ships } = JSON.parse(text) as { ships: { ship_id: string }[] };
+  expect(ships.map((ship) => ship.ship_id)).toEqual(expected);
+  if (more === 0) expect(Buffer.byteLength(text)).toBe(MAX_STATE);
 });
 
 it('encodes the game’s state message in at most 64 KB', () => {

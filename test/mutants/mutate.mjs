@@ -58,7 +58,7 @@ function changeAt(node, text) {
         : null;
     case 'Literal':
       if (typeof node.value === 'number')
-        return { start: node.start, end: node.end, text: String(node.value + 1) };
+        return { start: node.start, end: node.end, text: String(another(node.value)) };
       return typeof node.value === 'boolean'
         ? { start: node.start, end: node.end, text: SWAPS[node.value] }
         : null;
@@ -87,6 +87,9 @@ function changeAt(node, text) {
       return null;
   }
 }
+
+/** One more; above 2⁵³, where that may be the same double, twice as much. */
+const another = (value) => (value + 1 === value ? 2 * value : value + 1);
 
 /** All single changes of a source: [{ start, end, text, line, says }], in its order. `says` is like "a < b → a <= b". */
 export function changesOf(path, text) {

@@ -14,6 +14,7 @@ describe('mutants', () => {
     ['f(x);', [';']],
     ['const a = b ? c : d;', ['const a = !(b) ? c : d;']],
     ['const a = new Float64Array(3);', ['const a = new Float64Array(2);']],
+    ['const a = 2 ** 1e18;', ['const a = 3 ** 1e18;', 'const a = 2 ** 2000000000000000000;']],
     ['const a = Math.min(b, c);', ['const a = Math.max(b, c);']],
   ])('of %s', (text, all) => expect(changed(text).sort()).toEqual(all.sort()));
 

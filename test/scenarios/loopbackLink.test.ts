@@ -125,6 +125,27 @@ describe('loopback link', () => {
     ]);
   });
 
+  it.each(['before', 'after'])(
+    'delays each direction by its own numbers, set %s a client connects',
+    (when) => {
+      const exchange = moonExchange('opening', 'lan');
+      const still = { ...NETWORK_PRESETS.lan, jitter: 0 };
+      const setDelays = () => exchange.setNetwork({ ...still, delay: 0.1 }, { ...still, delay: 0.3 });
+      if (when === 'before') {
+        setDelays();
+        expect(exchange.connect('ann', 'own', 100)).toBeNull();
+      }
+      const client = listen(exchange);
+      client.runTo(100.5);
+      if (when === 'after') setDelays();
+      client.say({ kind: 'ping', id: 3 }, 100.5);
+      client.runTo(100.95);
+      const [pong] = received(client.entries, 'pong');
+      expect(pong!.at).toBeCloseTo(100.9, 9);
+      expect(pong!.message).toMatchObject({ sinceTick: expect.closeTo(0.8, 9) as number });
+    },
+  );
+
   it('counts and survives invalid messages', () => {
     const exchange = moonExchange('opening', 'lan');
     exchange.send('ann', Uint8Array.of(255, 255, 255), 100);

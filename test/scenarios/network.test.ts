@@ -79,6 +79,23 @@ describe('a link', () => {
     expect(late.filter(Boolean).length / runs).toBeCloseTo(4, 0);
   });
 
+  it('stalls a packet where the draw is below the probability, not where it equals it', () => {
+    const shareOf = (probability: number) => probability / (1 + probability);
+    // A seed whose first draw p is p / (1 + p) / (1 - p / (1 + p)) to the last bit.
+    const seed = Array.from({ length: 100 }, (_, i) => i).find((i) => {
+      const [drawn, share] = [createRandom(i)(), shareOf(createRandom(i)())];
+      return share / (1 - share) === drawn;
+    })!;
+    const stallsAt = (probability: number) => {
+      const numbers = { ...NETWORK_PRESETS.lan, stallShare: shareOf(probability), stallRun: 1 };
+      const link = createLink(numbers, seed);
+      link.send(new Uint8Array(1), 0);
+      return link.counters.stalled;
+    };
+    const drawn = createRandom(seed)();
+    expect([drawn, drawn + 1e-9].map(stallsAt)).toEqual([0, 1]);
+  });
+
   it('keeps the order: later packets wait behind a stalled one', () => {
     const link = createLink({ ...NETWORK_PRESETS.broken, stallShare: 0.3 }, 5);
     for (let i = 0; i < 500; i++) link.send(Uint8Array.of(i & 255, i >> 8), i * 0.01);

@@ -12,6 +12,7 @@ describe('a recorded server', () => {
   it('that follows the law agrees with it, known inputs included', () => {
     const comparison = valueOf(compareRecording(flown()));
     expect(comparison).toMatchObject({
+      ticks: 13,
       statesCompared: 12,
       unknownInputs: 0,
       withoutRelativeState: 0,

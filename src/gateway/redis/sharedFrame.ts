@@ -44,7 +44,8 @@ export function shareFrame(frame: ServerFrame): SharedFrame {
     frame,
     json(indices) {
       headText ??= headOf(frame);
-      let size = Buffer.byteLength(headText) + 2;
+      // The end, "]}", and no comma before the first ship.
+      let size = Buffer.byteLength(headText) + 1;
       const included: string[] = [];
       for (const index of indices) {
         const { text, bytes } = (texts[index] ??= sized(shipText(ships[index]!)));

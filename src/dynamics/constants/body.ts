@@ -52,7 +52,7 @@ export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 /** The body with derived constants, or an error that names the invalid field. */
 export function loadBody(given: Body): Result<LoadedBody> {
-  if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a string');
+  if (typeof given.name !== 'string' || given.name === '') return err('name: expected a non-empty string');
   const reason =
     notFinite('mass', given.mass) ??
     notFinite('radius', given.radius) ??

@@ -131,7 +131,7 @@ export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
 }
 
 function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
-  writeBodyAttitude(body, sim, sim.fleet.front[track.at + REFERENCE_BODY]!, sim.alpha);
+  writeBodyAttitude(body, sim, sim.fleet.front[track.at + REFERENCE_BODY]!, sim);
   writePredicted(out, sim, track);
   writeSeen(out, out, body);
 }

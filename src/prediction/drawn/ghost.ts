@@ -10,7 +10,7 @@ import {
 import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
-import { lengthOf, rotateBack, relativeRotation } from './rotation';
+import { measure, rotateBack, relativeRotation } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
 import type { LevelGround } from './snap/levelSnap';
 import type { Scene } from './scene';
@@ -41,14 +41,16 @@ export function groundGhost(
   shape.shipClass = out.shipClass;
   shape.groundContactOffset = track.serverRow[GROUND_CONTACT_OFFSET]!;
   const { position } = ghost;
-  const distance = lengthOf(position);
+  measure(length, position);
+  const distance = length[0]!;
   for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
   drawn.bodyName = body.name;
   drawn.radius = body.radius;
   writeGroundRadius(up, drawn);
   ground.radius = up[HEIGHT]!;
   const { places, reading } = track.ground;
-  ghost.groundOffset = reading?.offsetAt(places, body.name, up[0]!, up[1]!, up[2]!) ?? 0;
+  ghost.groundOffset =
+    reading === null || places.length === 0 ? 0 : reading.offsetAt(places, body.name, up[0]!, up[1]!, up[2]!);
   // Too high to touch the ground, as for the ship itself.
   const reach = 2 * shape.groundContactOffset + out.shipClass.constants[LEG_RADIUS]!;
   if (distance - ground.radius > reach) return;
@@ -59,6 +61,7 @@ export function groundGhost(
 }
 
 const ghost: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
+const length = new Float64Array(1);
 /** The local up, and the radius of the ground there. */
 const up = groundDirection();
 const ground: LevelGround = { radius: 0 };

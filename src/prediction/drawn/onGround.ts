@@ -4,7 +4,7 @@ import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
 import { hullOfShip, LEGS } from './snap/hull';
 import type { LevelGround } from './snap/levelSnap';
-import { lengthOf, rotate } from './rotation';
+import { measure, rotate } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
 
@@ -50,18 +50,19 @@ function fillGroundNormal(out: ShipView, scene: Scene): void {
  * @returns whether point by point, or as on level ground
  */
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
-  const { drawn, seen } = scene;
+  const { drawn, distance } = scene;
   const legRadius = out.shipClass.constants[LEG_RADIUS]!;
   const { snapToLevel } = scene.features;
   const exactly = snapToLevel === undefined || out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
-  const above = lengthOf(drawn.position) - surface;
+  measure(drawnDistance, drawn.position);
+  const above = drawnDistance[0]! - surface;
   // Beyond twice its height no part of the ship can touch the ground.
   const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
-    out.feetHeight = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+    out.feetHeight = distance[0]! - out.groundRadius - out.groundContactOffset;
     return exactly;
   }
   drawn.grounded = out.surfaceContactState !== '';
@@ -81,5 +82,6 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
 const FAR = 2;
 /** In offsets between the two grounds: at FAR times this height the mesh no longer follows the offset. */
 const REACH = 4.5;
+const drawnDistance = new Float64Array(1);
 const level: LevelGround = { radius: 0 };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

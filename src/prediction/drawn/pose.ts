@@ -1,6 +1,6 @@
 import { ATTITUDE, BODY_ATTITUDE, BODY_END_ATTITUDE, BODY_STRIDE, POSITION } from '../../dynamics';
 import { boundaryAt, knowsBoundary, rowsAt } from '../snapshots/bodies/bodyTrack';
-import { blend, quaternion, rotateBack, relativeRotation, take, vector } from './rotation';
+import { blend, quaternion, rotateBack, relativeRotation, type Share, take, vector } from './rotation';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { Track } from '../simulation/track';
@@ -31,18 +31,18 @@ export function writeAttitude(out: Float64Array, sim: Simulation, track: Track):
   take(after, front, track.at + ATTITUDE);
   // If the dynamics turned it instantly at the substep's end, the offset restores the attitude before.
   take(before, track.picture.sinceUprighting === 0 ? front : previous, track.at + ATTITUDE);
-  blend(out, before, after, sim.alpha);
+  blend(out, before, after, sim);
 }
 
 const before = quaternion();
 const after = quaternion();
 
-/** Writes a body's attitude `alpha` (0 … 1) of the way from the substep boundary before the front to the front. */
-export function writeBodyAttitude(out: Float64Array, sim: Simulation, index: number, alpha: number): void {
+/** Writes a body's attitude at a share of the way from the substep boundary before the front to the front. */
+export function writeBodyAttitude(out: Float64Array, sim: Simulation, index: number, share: Share): void {
   const { front, timeline, bodies } = sim;
   const at = index * BODY_STRIDE;
   const tick = front.substep > 0 ? front.tick : front.tick - 1;
-  if (alpha === 1 || !(front.substep > 0 || knowsBoundary(bodies, tick))) {
+  if (share.alpha === 1 || !(front.substep > 0 || knowsBoundary(bodies, tick))) {
     if (front.substep === 0) take(out, boundaryAt(bodies, timeline, front.tick), at + BODY_ATTITUDE);
     else take(out, rowsAt(bodies, timeline, tick, front.substep - 1), at + BODY_END_ATTITUDE);
     return;
@@ -51,7 +51,7 @@ export function writeBodyAttitude(out: Float64Array, sim: Simulation, index: num
   const rows = rowsAt(bodies, timeline, tick, last - 1);
   take(start, rows, at + BODY_ATTITUDE);
   take(end, rows, at + BODY_END_ATTITUDE);
-  blend(out, start, end, alpha);
+  blend(out, start, end, share);
 }
 
 const start = quaternion();

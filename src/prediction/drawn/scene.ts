@@ -56,6 +56,8 @@ export interface Scene extends TurnedBodies {
   readonly springs: Springs;
   /** Of the current ship, in its body's axes: predicted pose, local up, and drawn pose. */
   readonly seen: Pose;
+  /** One number: of the predicted position from the body's centre, m. */
+  readonly distance: Float64Array;
   readonly normal: Float64Array;
   readonly drawn: GroundPose;
 }
@@ -84,6 +86,7 @@ export function createScene(sim: Simulation, springs: Springs, features: SceneFe
     playback: { timeline, at: 0, timeScale: 1 },
     springs,
     seen: pose(),
+    distance: new Float64Array(1),
     normal: vector(),
     drawn: { ...pose(), grounded: false, groundOffset: 0 },
   };

@@ -1,5 +1,5 @@
 import { flatTerrain, LEG_RADIUS } from '../../dynamics';
-import { lengthOf, vector } from './rotation';
+import { vector } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
 
@@ -7,8 +7,8 @@ import type { ShipView } from './view';
 const SLOPE_HEIGHT = 100;
 
 /** The ground's own normal below a ship's feet, in the body's axes; null where the normal is radial or the ground is far. */
-export function slopeBelow(out: ShipView, { world, normal, seen }: Scene): Float64Array | null {
-  const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+export function slopeBelow(out: ShipView, { world, normal, distance }: Scene): Float64Array | null {
+  const feet = distance[0]! - out.groundRadius - out.groundContactOffset;
   const { terrainNormals, settings } = world;
   if (terrainNormals === null || settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) return null;
   const { name, radius } = world.bodies[out.body]!;

@@ -31,7 +31,7 @@ import { writeAttitude } from './pose';
 import {
   compose,
   fromRotationVector,
-  lengthOf,
+  measure,
   quaternion,
   rotate,
   rotateBack,
@@ -168,10 +168,11 @@ function fillFromRow(out: ShipView, from: Float64Array): void {
 }
 
 /** The pose in the body's axes, and the local up there. */
-function rowToBodyAxes(out: ShipView, { seen, normal }: Scene, body: Float64Array): void {
+function rowToBodyAxes(out: ShipView, { seen, normal, distance }: Scene, body: Float64Array): void {
   rotateBack(seen.position, body, out.position);
   relativeRotation(seen.attitude, body, out.attitude);
-  const perDistance = 1 / lengthOf(seen.position);
+  measure(distance, seen.position);
+  const perDistance = 1 / distance[0]!;
   for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! * perDistance;
 }
 

@@ -145,7 +145,7 @@ function fillBodies({ view, scene }: ViewBuilder, sim: Simulation): void {
     const at = i * BODY_STRIDE;
     const attitude = scene.bodyAttitudes[i]!;
     take(scene.bodySpins[i]!, rows, at + BODY_ANGULAR_VELOCITY);
-    writeBodyAttitude(attitude, sim, i, sim.alpha);
+    writeBodyAttitude(attitude, sim, i, sim);
     for (let k = 0; k < 3; k++) {
       body.velocity[k] = rows[at + BODY_VELOCITY + k]!;
       body.position[k] = rows[at + BODY_POSITION + k]! + body.velocity[k]! * since;

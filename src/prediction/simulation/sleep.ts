@@ -27,6 +27,7 @@ import {
   rotate,
   rotateBack,
   relativeRotation,
+  type Share,
   take,
   vector,
 } from '../drawn/rotation';
@@ -169,13 +170,16 @@ export function wake(sim: Simulation, track: Track): void {
   }
   take(spin, boundaryAt(sim.bodies, timeline, front.tick), index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   copyRow(fleet.previous, track.at, fleet.front, track.at);
-  writeBodyAttitude(body, sim, index, 0);
+  writeBodyAttitude(body, sim, index, BEFORE);
   writeSleeping(fleet.previous, track.at, track, body, spin);
-  writeBodyAttitude(body, sim, index, 1);
+  writeBodyAttitude(body, sim, index, FRONT);
   writeSleeping(fleet.front, track.at, track, body, spin);
   track.mode = 'stepping';
 }
 
+/** Substep boundaries: the one before the front, and the front. */
+const BEFORE: Share = { alpha: 0 };
+const FRONT: Share = { alpha: 1 };
 const past = new Float64Array(SHIP_STRIDE);
 const body = quaternion();
 const spin = vector();

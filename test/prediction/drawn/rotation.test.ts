@@ -111,7 +111,7 @@ describe('a rotation', () => {
   it.each([1, -1])('is blended along the short way and stays of unit length, from %d q', (sign) => {
     const small = (angle: number) => quaternionOf({ ...A, angle });
     const [from, to] = [small(0.7).map((x) => x * sign), small(0.708)];
-    const blended = written(4, (out) => rotation.blend(out, of(from), of(to), 0.25));
+    const blended = written(4, (out) => rotation.blend(out, of(from), of(to), { alpha: 0.25 }));
     expect(dot([...blended], [...blended])).toBeCloseTo(1, 14);
     // The lerp is within 1e-8 of the arc.
     for (const [k, x] of small(0.702).entries()) expect(Math.abs(blended[k]! * sign - x)).toBeLessThan(1e-8);

@@ -1,5 +1,5 @@
 import type { Hull } from './hull';
-import { lengthOf, rotateBack, vector } from '../rotation';
+import { measure, rotateBack, vector } from '../rotation';
 import { drawnClearance, type GroundPose, type GroundedPose } from './groundSnap';
 
 /** A record, since a double as an argument is boxed at each call. */
@@ -20,7 +20,8 @@ export function snapToLevel(
 ): GroundedPose {
   const { position, attitude } = pose;
   const { feet, outline } = hull;
-  const distance = lengthOf(position);
+  measure(length, position);
+  const distance = length[0]!;
   for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
   rotateBack(seenUp, attitude, up);
   const x = seenUp[0]!;
@@ -48,5 +49,6 @@ export function snapToLevel(
   return out;
 }
 
+const length = new Float64Array(1);
 const up = vector();
 const seenUp = vector();

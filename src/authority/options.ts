@@ -30,7 +30,7 @@ export interface AuthorityOptions {
   readonly timeScale: number;
   /** Number of the first tick boundary; 0 by default. */
   readonly tick?: number;
-  /** 'tick': inputs act at tick starts alone. 'substep' by default. */
+  /** 'tick': inputs act only at the start of a tick. 'substep' by default. */
   readonly inputGranularity?: 'substep' | 'tick';
   /** Behaves like the game's own server: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
   readonly legacy?: boolean;

@@ -16,7 +16,7 @@ export interface GameConnection {
   readonly status: () => LinkStatus;
   /**
    * Own controls; false when they could not be sent now. Those that have not certainly arrived when the link is lost, or were given
-   * while it was down, are sent after the next welcome, the newest alone.
+   * while it was down, are sent after the next welcome, only the newest.
    */
   readonly sendControls: (controls: Controls) => boolean;
   /** Any other message of the game's: service, attitude modes. */

@@ -16,7 +16,7 @@ import { createTouchdownCard } from './touchdownCard';
 
 /** Options of the landing HUD. */
 export interface LandingHudOptions extends HudAppearance {
-  /** Names the keys in the righting help; without it the help names the axes alone. */
+  /** Names the keys in the righting help; without it the help names only the axes. */
   readonly keyLabel?: KeyLabel;
   /** The controls that turn the ship now, where there is not one for each axis. */
   readonly turnKeys?: TurnKeys;

@@ -88,7 +88,7 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   };
 }
 
-/** A round pad: where the thumb is from where it came down, in steps. Fingers alone use it; keys and pads do the same. */
+/** A round pad: the thumb's offset from where it came down, in steps. It is for fingers only; keys and gamepads do the same. */
 function createStickPad(host: HTMLElement, text: string, tell: (right: number, away: number) => void): void {
   const pad = append(host, 'div', 'thumb');
   pad.setAttribute('aria-hidden', 'true');

@@ -15,7 +15,7 @@ import { createShipView, fillShipView } from './viewing';
 export interface ViewBuilder {
   readonly view: WorldView;
   readonly scene: Scene;
-  /** Of the view in the making. */
+  /** Of the view under construction. */
   readonly instant: ViewInstant;
   viewedAt: number;
 }

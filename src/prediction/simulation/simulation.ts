@@ -117,7 +117,7 @@ export interface Features {
   };
   /** Keeps a state of a ship that is interpolated. */
   readonly keepServerState?: (sim: Simulation, track: Track, row: Float64Array, at: Boundary) => void;
-  /** By the name in the hello; flat ground alone without. */
+  /** By the name in the hello; without them only flat ground. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
   /** The test mode, at each tick boundary that the front passes. */
   readonly checkRollback?: (sim: Simulation, tick: number) => void;

@@ -75,7 +75,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   return !same;
 }
 
-/** Divides ticks anew for another longest substep, game s: all substep counts change. */
+/** Divides all ticks again, for another longest substep, game s: all substep counts change. */
 export function changeLongestSubstep(timeline: Timeline, longestSubstep: number): void {
   timeline.longestSubstep = longestSubstep;
   const { spans } = timeline;

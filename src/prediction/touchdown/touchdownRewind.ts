@@ -71,7 +71,7 @@ function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
 }
 
 /**
- * Advances the log alone to a state beyond the simulation: the page draws seldom or is hidden.
+ * Advances only the log to a state beyond the simulation: the page draws seldom or is hidden.
  */
 function continueLog(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const { fleet, front } = sim;

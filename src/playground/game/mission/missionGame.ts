@@ -129,7 +129,7 @@ function showGoal(mission: Mission | null, flight: Flight, context: MissionConte
   goal.how(howToFly(mission, device(), cap));
 }
 
-/** On a touch screen a lesson is skipped by the list of missions alone. */
+/** On a touch screen a lesson can be skipped only in the list of missions. */
 function titleOf(mission: Mission, flight: Flight, context: MissionContext): string {
   const cap = isSkippable(mission, flight, context) ? confirmCap(context) : '';
   const { title } = mission.scenario;

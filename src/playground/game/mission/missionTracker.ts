@@ -4,7 +4,7 @@ import { toInertial } from '../../../readout';
 import type { Target } from '../../../readout';
 import { findScenario, loadScenario, type Mission, type MissionGoal, padPlaces } from '../../../scenarios';
 
-/** How a mission stands, from the confirmed states alone: a prediction may be withdrawn. */
+/** The state of a mission, from confirmed states only: a prediction may be withdrawn. */
 export type MissionPhase =
   | 'flying'
   /** Landed, but not on the pad. */

@@ -64,7 +64,7 @@ const WHEEL_TOLERANCE = 1e-4;
 /** The tolerance for a server that sends the relative state. */
 export const EXACT: Tolerance = Float64Array.of(1e-6, 1e-6, 1e-6);
 
-/** The tolerance for a server that sends ICRF alone: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
+/** The tolerance for a server that sends only ICRF positions: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
 export function writeInexact(out: Tolerance, server: Place): void {
   const body = server.rows[server.at + REFERENCE_BODY]! * BODY_STRIDE + BODY_POSITION;
   let largest = 0;

@@ -6,6 +6,7 @@ import { createNotice } from '../../../src/playground/panels/notice';
 import { DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
 import { createPanel } from '../../../src/playground/panels/panel';
 import { createOverlayLegend } from '../../../src/playground/panels/overlayLegend';
+import { OVERLAY_COLOURS } from '../../../src/scene';
 import { all, attributes, createPage, fire, one, shownText } from '../../hud/pageInNode';
 
 const click = (button: HTMLElement) => fire(button, 'click');
@@ -140,6 +141,9 @@ it('the legend names the overlays that are on, each colour with its meaning', ()
     'Arrow',
     'Arrow',
   ]);
+  const { ghost, thrust, weight, support } = OVERLAY_COLOURS;
+  const painted = all(root, 'swatch').map(({ style }) => parseInt(style.background.slice(1), 16));
+  expect(painted).toEqual([ghost, thrust, weight, support]);
   expect(one(root, 'ul').hidden).toBe(false);
   show([]);
   expect([one(root, 'ul').hidden, all(root, 'li')]).toEqual([true, []]);

@@ -55,11 +55,13 @@ describe('the flight instruments', () => {
       const bodies = view.bodies.map((body) => ({ ...body, angularVelocity: [0, 1e-6, 0] as const }));
       return updateFlightReadout(createFlightReadout(), { ...view, bodies }).heading;
     };
-    const upright = heading({});
-    // Leaning away from where +Y points raises it.
-    const raised = (tilt: number) => heading({ tilt, leanTo: upright + 180 });
-    expect(raised(89.9)).toBeCloseTo(upright, 6);
-    expect(raised(90)).toBeNaN();
+    for (const turned of [0, 90, 180, 270]) {
+      const upright = heading({ heading: turned });
+      // Leaning away from where +Y points raises it.
+      const raised = (tilt: number) => heading({ heading: turned, tilt, leanTo: upright + 180 });
+      expect(raised(89.9)).toBeCloseTo(upright, 6);
+      expect(raised(90)).toBeNaN();
+    }
   });
 
   it('give the wheels’ momentum as a share of their capacity', () => {

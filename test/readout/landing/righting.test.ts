@@ -94,6 +94,10 @@ describe('righting help', () => {
     expect(dry.torqueAvailable).toBeGreaterThanOrEqual(2000 * 0.92);
     expect(dry.torqueAvailable).toBeLessThanOrEqual(2000 * Math.SQRT2);
     expect(dry.possible).toBe(false);
+    // Its wheels are as strong about x as about y: a quarter turn changes nothing.
+    const wheelsAt = (heading: number) => read({ ...ON_SIDE, fuel: 0, heading }).righting.torqueAvailable;
+    for (let heading = 0; heading < 90; heading += 15)
+      expect(wheelsAt(heading + 90)).toBeCloseTo(wheelsAt(heading), 3);
     const { torqueAvailable } = read({ ...ON_SIDE, fuel: 0.5 }).righting;
     expect(torqueAvailable).toBe(righting.torqueAvailable);
   });

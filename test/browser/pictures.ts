@@ -19,7 +19,7 @@ interface Picture {
 
 const PICTURES: readonly Picture[] = [
   { name: 'opening', query: 'scenario=opening', at: 14, panels: true },
-  { name: 'touch', query: 'scenario=bounce', at: 1.3, panels: false },
+  { name: 'touch', query: 'scenario=bounce', at: 0.9, panels: false },
   { name: 'slide', query: 'scenario=slide-mars', at: 1.9, panels: false },
   { name: 'tipped', query: 'scenario=topple', at: 8, panels: true },
   { name: 'freighter', query: 'scenario=freighter-hold', at: 2.5, panels: false },

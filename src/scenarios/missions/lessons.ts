@@ -37,7 +37,7 @@ export const LESSONS: readonly Mission[] = [
       initial: { ...PILOTED, height: 50, velocity: [0, 0, -3] },
       inputs: [{ at: 0, controls: { thrustLevel: 0.09, attitudeMode: 'radial', attitudeHold: true } }],
     }),
-    goal: 'Land by the beacon at less than 2 m/s.',
+    goal: 'Land by the beacon, softer than 2 m/s.',
     how: 'Follow AIM: {throttleUp} when too fast, {throttleDown} when too slow. Press {throttleCut} to cut the engine at touchdown.',
     done: { kind: 'land' },
     pads: [{ east: 0, north: 0, radius: 25 }],

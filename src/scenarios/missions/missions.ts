@@ -19,7 +19,7 @@ export const MISSIONS: readonly Mission[] = [
       initial: { ...PILOTED, velocity: [0, 0, -6] },
       inputs: [{ at: 0, controls: { thrustLevel: 0.078, attitudeHold: true } }],
     }),
-    goal: 'Land by the beacon at less than 2 m/s.',
+    goal: 'Land by the beacon, softer than 2 m/s.',
     touchLimit: 2,
     pads: [{ east: 0, north: 0, radius: 30 }],
     parSeconds: 60,

@@ -46,7 +46,7 @@ function keysOf(page: Page, goal: string): Controls {
     if (key === undefined) throw new Error(`the goal names no key for ${pattern.source}: ${goal}`);
     return key.toLowerCase();
   };
-  const [more, less, cut] = [/(\w+) more thrust/, /(\w+) less/, /(\w+) cut the engine/].map(named);
+  const [more, less, cut] = [/(\w+) more thrust/, /(\w+) less,/, /(\w+) cut the engine/].map(named);
   const tap = (key: string) => page.keyboard.press(key, { delay: 60 });
   return {
     more: () => tap(more!),

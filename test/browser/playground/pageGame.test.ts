@@ -8,7 +8,7 @@ describeInBrowser('the game on the built page', () => {
     const page = await openBuiltPage('', FLUENT);
     await page.waitForSelector('html[data-ready=true]');
     const goal = await page.textContent('#goal');
-    expect(goal).toContain('Land by the beacon at less than 2 m/s.');
+    expect(goal).toContain('Land by the beacon, softer than 2 m/s.');
     expect(goal).toContain('You fly: F more thrust, V less, X cut the engine.');
     await page.keyboard.press('y');
     await page.waitForFunction(() =>

@@ -92,7 +92,7 @@ class LongestFirst extends Bundled {
 const COMPUTING = { isolate: false, ...HANGS };
 const WAITING = {
   isolate: false,
-  maxWorkers: isOfMutants ? 1 : 3 * cores,
+  maxWorkers: isOfMutants ? 1 : 4 * cores,
   sequence: { groupOrder: 1 },
   ...HANGS,
 };

@@ -16,7 +16,7 @@ import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
-import { type Features, type Simulation } from './simulation/simulation';
+import type { Features, Simulation } from './simulation/simulation';
 import { createSimulation } from './simulation/createSimulation';
 import type { PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';

@@ -64,8 +64,9 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay };
       const state = stateOf(ship, body.name);
       const braking = state.surfaceContactState === '' ? brakeDrift(isBraking, state, site) : null;
-      isBraking = braking?.ok === true && braking.value !== null;
-      if (braking?.ok === true && braking.value !== null) return (controls = onGrid(braking.value));
+      const burn = braking?.ok === true ? braking.value : null;
+      isBraking = burn !== null;
+      if (burn !== null) return (controls = onGrid(burn));
       const next = continueLanding(landing, state, site);
       if (!next.ok) {
         end(next.reason);

@@ -3,7 +3,7 @@ import type { ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
 import { sendSeconds } from '../time/cadence';
 import { serverTime } from '../time/clock';
-import { spanOf, wallOfTick } from '../time/timeline';
+import { isSameTempo, spanOf, wallOfTick } from '../time/timeline';
 import { isTimed, type Receiver } from './receiver';
 
 /** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
@@ -82,16 +82,10 @@ function isConfirmed(sim: Simulation, receiver: Receiver, frame: ServerFrame, no
 }
 
 function sameTick(sim: Simulation, frame: ServerFrame): SnapshotKind {
-  if (frame.paused || differs(sim, frame)) return 'again';
+  if (frame.paused || !isSameTempo(spanOf(sim.timeline, frame.tick), frame)) return 'again';
   for (const { shipId } of frame.ships) {
     const track = sim.fleet.byId.get(shipId);
     if (track === undefined || track.serverTick < frame.tick) return 'part';
   }
   return 'duplicate';
-}
-
-/** Whether a frame's tempo differs from the one known for its tick. */
-export function differs(sim: Simulation, { tick, tickRate, timeScale, paused }: ServerFrame): boolean {
-  const held = spanOf(sim.timeline, tick);
-  return held.paused !== paused || held.tickRate !== tickRate || held.timeScale !== timeScale;
 }

@@ -53,26 +53,27 @@ export function spanOf(timeline: Timeline, tick: number): Span {
 }
 
 /**
- * Sets the tempo from `tick` on. `wall` is the server's wall time at `tick` if it is known better than by counting ticks (after a
- * pause), else null. Returns whether the timing after `tick` has changed.
+ * Sets the tempo from `tick` on.
+ * @param wall the server's wall time at `tick`, s, if it is known better than by counting ticks, as after a pause; otherwise null
  */
-export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: number | null): boolean {
+export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: number | null): void {
   const { spans } = timeline;
   const last = spans.at(-1);
   if (last === undefined) {
     spans.push(makeSpan(timeline, tempo, tick, wall ?? 0, 0));
-    return true;
+    return;
   }
   const held = spanOf(timeline, tick);
-  const same =
-    held.tickRate === tempo.tickRate && held.timeScale === tempo.timeScale && held.paused === tempo.paused;
-  if (same && wall === null && held === last) return false;
+  if (wall === null && held === last && isSameTempo(held, tempo)) return;
   const at = wall ?? wallOfTick(timeline, tick);
   const index = indexOf(timeline, tick, 0);
   while (spans.length > 0 && spans.at(-1)!.fromTick >= tick) spans.pop();
   spans.push(makeSpan(timeline, tempo, tick, at, index));
   if (spans.length > MAX_SPANS) spans.shift();
-  return !same;
+}
+
+export function isSameTempo(a: Tempo, b: Tempo): boolean {
+  return a.tickRate === b.tickRate && a.timeScale === b.timeScale && a.paused === b.paused;
 }
 
 /** Divides all ticks again, for another longest substep, game s: all substep counts change. */

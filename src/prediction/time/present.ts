@@ -52,20 +52,18 @@ export function advanceClock(clock: Clock, now: number, { deadZone, latest }: Pa
   const next = Math.min(clock.present + elapsed + slewed, Math.max(limit, clock.present));
   const error = target - next;
   const jumps = clock.stepped ? error > step || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
-  if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
+  if (jumps || Number.isNaN(error)) {
+    jumpTo(clock, target);
+    return true;
+  }
   // A present that ran ahead of a stopped server waits until the server has caught up.
   if (clock.stepped && error < -(clock.rate === 0 ? deadZone : step)) {
     clock.rate = 0;
     return false;
   }
   clock.present = next;
-  if (aim <= limit) {
-    clock.stepped = false;
-    clock.settledOffset = clock.offset;
-    if (step !== STEP) clock.wasLoose = false;
-  }
-  clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
-  clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
+  if (aim <= limit) settle(clock, step !== STEP);
+  slew(clock, error, deadZone);
   return false;
 }
 
@@ -76,14 +74,24 @@ function stepOf(clock: Clock): number {
   return clock.wasLoose && slack <= TIGHT ? STEP_WHEN_CERTAIN : STEP;
 }
 
-function jumpTo(clock: Clock, target: number): boolean {
+function jumpTo(clock: Clock, target: number): void {
   clock.present = target;
-  clock.settledOffset = clock.offset;
   clock.rate = 1;
   clock.slewing = false;
+  settle(clock, slackOf(clock) <= TIGHT);
+}
+
+/** The present follows the offset: the next step counts from here. */
+function settle(clock: Clock, isCertain: boolean): void {
+  clock.settledOffset = clock.offset;
   clock.stepped = false;
-  if (slackOf(clock) <= TIGHT) clock.wasLoose = false;
-  return true;
+  if (isCertain) clock.wasLoose = false;
+}
+
+/** Sets the rate that reduces `error`; none within the dead zone, s. */
+function slew(clock: Clock, error: number, deadZone: number): void {
+  clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
+  clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
 }
 
 /** Measures the smallest step of a coarse clock. */

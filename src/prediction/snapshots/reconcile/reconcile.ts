@@ -43,16 +43,17 @@ export function reconcile(
   const reason = adopt(sent, state, context.bodies, sim.world);
   if (reason !== null) return reason;
   const known = track.serverTick >= 0;
-  if (known && track.serverRow[CRASHED]! > sent[CRASHED]!) track.replaySnaps = true;
+  const respawned = known && track.serverRow[CRASHED]! > sent[CRASHED]!;
+  if (respawned) track.replaySnaps = true;
+  track.unpredictable = false;
+  track.exact = isExact(state);
   const predicted = findPredicted(sim, track, context);
   server.bodies = context.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
   const hasImpact = !Number.isNaN(sent[IMPACT_SPEED]);
   if (!hasImpact)
     sent[IMPACT_SPEED] = recalledImpact(sim, track, { row: sent, tick: context.tick }, predicted);
-  track.unpredictable = false;
   if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, predicted);
-  track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, context.compared, predicted);
   const agrees = field === 'none';
   const { learning } = sim.features;

@@ -4,7 +4,7 @@
 /** A template literal that three and the scene mark as GLSL. */
 const GLSL = /(\/\* glsl \*\/\s*)(`[^`]*`)/g;
 
-/** A line without spaces between tokens. `a - -b` keeps its own, and a directive all: `#define A (b)` is not `#define A(b)`. */
+/** A line without spaces between tokens. `a - -b` keeps the second space, and a directive all: `#define A (b)` is not `#define A(b)`. */
 const compactLine = (line) =>
   line.startsWith('#') || line.includes('${')
     ? line

@@ -51,7 +51,7 @@ const UNUSED = [
 const isUnused = (name) =>
   UNUSED.some((unused) => name === unused || (/^USE_/.test(name) && name.startsWith(`${unused}MAP`)));
 
-/** Whether a condition never holds; one that is not as simple as these counts as one that may. */
+/** Whether a condition never holds; one that is not as simple as these counts as possible. */
 function isNever(condition) {
   const text = condition.replace(/\/\/.*/, '').trim();
   return text.split('||').every((part) => {

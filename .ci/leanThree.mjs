@@ -15,7 +15,7 @@ const NO_XR = `export class WebXRManager {
   dispose() {}
 }`;
 
-/** Nothing on the page mirrors its surroundings. */
+/** No material of the page reflects an environment map. */
 const NO_ENVIRONMENTS = `export function WebGLEnvironments() {
   return {
     get(texture) {
@@ -29,13 +29,13 @@ const NO_ENVIRONMENTS = `export function WebGLEnvironments() {
 /** CSS names of colours: the page uses numbers. */
 const COLOUR_NAMES = /const _colorKeywords = \{[^}]*\}/;
 
-/** Throws if three has changed and nothing is left out any more. */
+/** Throws if three has changed so that nothing is left out. */
 function withoutColourNames(code) {
   if (!COLOUR_NAMES.test(code)) throw new Error('leanThree: three has no table of colour names');
   return code.replace(COLOUR_NAMES, 'const _colorKeywords = {}');
 }
 
-/** Shaders of materials and backgrounds that the page does not draw. One that is drawn all the same fails to compile, with this reason. */
+/** Shaders of materials and backgrounds that the page does not draw. If one is drawn, it fails to compile, with this reason. */
 const UNUSED_SHADERS =
   /\/three\/src\/renderers\/shaders\/ShaderLib\/(background|backgroundCube|cube|distance|equirect|linedashed|mesh(matcap|normal|phong|toon)|points|shadow|sprite|vsm)\.glsl\.js$/;
 const NO_SHADER = `export const vertex = '#error left out of the page by .ci/leanThree.mjs';

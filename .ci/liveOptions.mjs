@@ -20,7 +20,7 @@ const OPTIONS = {
   help: { type: 'boolean', default: false },
 };
 
-/** @throws Error that names the option and says what it expects */
+/** @throws Error that names the option and the expected value */
 export function readOptions(args) {
   const { values } = parseArgs({ args, options: OPTIONS });
   const rate = Number(values.rate);

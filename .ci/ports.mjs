@@ -17,7 +17,7 @@ export function freePort() {
   return listenOn(0);
 }
 
-/** @throws Error that says whose port is taken, and by which option another is chosen */
+/** @throws Error that names what the port is for and the option that chooses another, if the port is taken */
 export async function requireFree(port, { what, option }) {
   await listenOn(port).catch((error) => {
     const cause = error.code === 'EADDRINUSE' ? 'is taken' : `cannot be used (${error.code})`;

@@ -27,7 +27,7 @@ function environment() {
 }
 
 /**
- * { command, env } to run the service's law with, without a Redis client; undefined where no Python is new enough.
+ * { command, env } to run the service's law, without a Redis client; undefined where no Python is new enough.
  * The command is the interpreter itself, not a shim: signals must reach it.
  */
 export function findPython() {
@@ -42,7 +42,7 @@ export function findPython() {
 let ready;
 
 /**
- * { command, env } to run the service with; throws an Error whose message says what to install.
+ * { command, env } to run the service; throws an Error that names what to install.
  */
 export function servicePython() {
   ready ??= withRedis();

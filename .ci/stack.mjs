@@ -8,7 +8,7 @@ import { redisServer, servicePython } from './python.mjs';
 const root = fileURLToPath(new URL('..', import.meta.url));
 /** Characters kept of a process's output. */
 const OUTPUT_KEPT = 4000;
-/** ms for a process to end when it is told to; then it is killed. */
+/** ms for a process to end after SIGTERM or SIGINT; then it is killed. */
 const END_WITHIN = 5000;
 
 /**
@@ -62,9 +62,9 @@ export function createProcess({ name, command, args, env, upWhen }) {
 }
 
 /**
- * Redis, service and gateway on this machine, none started yet. Throws an Error that says what is to be installed.
- * `appendfsync`: always, everysec, or no (nothing is kept). `ports`: of redis and gateway, any that is free where not given.
- * `data`: a folder for Redis's files, one of its own where not given. `serviceArgs`: further arguments of the service.
+ * Redis, service and gateway on this machine, none started yet. Throws an Error that names what to install.
+ * `appendfsync`: always, everysec, or no (nothing is kept). `ports`: of redis and gateway; free ones by default.
+ * `data`: the folder for Redis's files; a temporary one by default. `serviceArgs`: further arguments of the service.
  */
 export async function createStack({ gatewayEnv, appendfsync, ports = {}, data, serviceArgs = [] }) {
   const [redisCommand, python] = [redisServer(), servicePython()];

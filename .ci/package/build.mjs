@@ -1,4 +1,4 @@
-// Builds dist/package, what `npm pack ./dist/package` packs: each door of the library as an ES module, as CommonJS and as
+// Builds dist/package, what `npm pack ./dist/package` packs: each entry of the library as an ES module, as CommonJS and as
 // declarations, one style sheet, and a manifest. Each module is built twice: for development, and for production (production.mjs).
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -59,7 +59,7 @@ async function buildCode({ format, folder = '', plugins = [] }) {
           chunkFileNames: `chunks/[name].${extension}`,
           // Top-level constants stay `const`: as `var` the engine loads the law's scratch arrays anew at every access.
           topLevelVar: false,
-          // Split by room, so that the law's loops stay within one file, and no room is loaded because of another.
+          // Split by room, so that the law's loops stay within one file, and no room loads another.
           codeSplitting: {
             groups: SHARED_ROOMS.map((name) => ({ name, test: `/src/${name}/`, minShareCount: 2 })),
           },

@@ -13,7 +13,7 @@ const CHECKS = {
     'checkDefaults',
     'faultOfDefaults',
   ],
-  // What to do with a value that is no message; the message is refused all the same, by the field that it lacks.
+  // Advice about a value that is no message. It is refused in any case, by the field that it lacks.
   'wire/fields/sentObject.ts': ['notPlain', 'wrapped'],
 };
 

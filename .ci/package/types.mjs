@@ -1,4 +1,4 @@
-// Writes the declarations of the package: one self-contained file per door, for both module systems.
+// Writes the declarations of the package: one self-contained file per entry, for both module systems.
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';

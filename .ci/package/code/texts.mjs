@@ -1,5 +1,5 @@
-// Shortens the texts of the production build: a warning's message is its code, and a refusal says `field: got value`.
-// ERRORS.md has the sentences by code, and the development build says in full what was expected. Warnings of a caller's mistakes are left out.
+// Shortens the texts of the production build: a warning's message is its code, and a refusal is `field: got value`.
+// ERRORS.md has the sentences by code, and the development build's texts name what was expected. Warnings of a caller's mistakes are left out.
 import { parseAst } from 'vite';
 
 /** Calls `visit` with each node below `node`. */
@@ -42,7 +42,7 @@ function withoutWarning({ type, start, end, expression, consequent, alternate })
   return isLeftOut ? [start, end, ';'] : null;
 }
 
-/** `[start, end, text]` to leave out what a text says was expected; null if it does not say so. */
+/** `[start, end, text]` to leave out what a text expected; null if it has no such part. */
 function shortReason(node, code) {
   if (!isText(node)) return null;
   const parts = node.type === 'Literal' ? [node] : node.quasis;
@@ -66,7 +66,7 @@ function shortUnknown({ type, quasis }, code) {
   return found ? [first.start + found.index, first.end, 'got '] : null;
 }
 
-/** `[start, end, '']` to leave out the unit, the last member of a range, which only such texts say; null for anything else. */
+/** `[start, end, '']` to leave out the unit, the last member of a range, which only such texts use; null for anything else. */
 function withoutUnit({ type, properties }) {
   const [before, last] = type === 'ObjectExpression' ? properties.slice(-2) : [];
   return last?.key?.name === 'unit' && isText(last.value) ? [before.end, last.end, ''] : null;

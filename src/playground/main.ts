@@ -4,7 +4,7 @@ import type { ToServer } from './server/connection';
 if (typeof document === 'undefined') {
   const early: MessageEvent<ToServer>[] = [];
   self.onmessage = (event: MessageEvent<ToServer>) => early.push(event);
-  // Reported, it comes to the page as the worker's error.
+  // Reported, so that the page receives it as the worker's error.
   void import('./server/worker').then(
     ({ serve }) => serve(early),
     () => reportError(new Error('its program could not be fetched')),

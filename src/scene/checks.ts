@@ -55,7 +55,7 @@ const OVERLAYS: readonly (keyof SceneView['overlays'])[] = [
   'forces',
 ];
 
-/** Frames between two looks at the overlays that the caller sets. */
+/** Frames between two checks of the caller's overlays. */
 const LOOKS = 60;
 
 /** A number as it is, anything else by its kind. */
@@ -97,7 +97,7 @@ function createGuard(onWarning: SceneWarn | undefined): Guard {
   };
 }
 
-/** A scene view whose calls with invalid arguments, or after `dispose`, have no effect but a warning. */
+/** Wraps a scene view: a call with an invalid argument, or after `dispose`, only causes a warning. */
 export function checkedScene(scene: SceneView, onWarning: SceneWarn | undefined): SceneView {
   const guard = createGuard(onWarning);
   const { allows, isOpen } = guard;

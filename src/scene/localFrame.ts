@@ -34,7 +34,7 @@ export function toBodyAxes(out: Float64Array, attitude: Quat, way: Float64Array)
 export function createLocalFrame(body: Body, point: ArrayLike<number>, sun: SunPlace): LocalFrame {
   const length = Math.hypot(point[0]!, point[1]!, point[2]!);
   const [ux, uy, uz] = [point[0]! / length, point[1]! / length, point[2]! / length];
-  // East is pole × up; at the poles any horizontal direction serves.
+  // East is pole × up; at the poles any horizontal direction will do.
   const across = Math.hypot(ux, uz);
   const [ex, ez] = across > 1e-6 ? [uz / across, -ux / across] : [1, 0];
   // North is up × east, whose y is 0.
@@ -97,7 +97,7 @@ function writeIcrf(out: Float64Array, at: number, { matrix }: Turn, v: readonly 
     out[at + k] = matrix[k]! * v[0]! + matrix[3 + k]! * v[1]! + matrix[6 + k]! * v[2]!;
 }
 
-/** Right, away along the ground and up on the screen of an eye that looks at a focus: ICRF axes, nine numbers. */
+/** The screen's axes for an eye that looks at a focus: right, away along the ground, and up; in ICRF axes, nine numbers. */
 export function writeScreenAxes(out: Float64Array, turn: Turn, eye: Float64Array, focus: Float64Array): void {
   const x = focus[0]! - eye[0]!;
   const z = focus[2]! - eye[2]!;

@@ -2,8 +2,8 @@ import { BufferAttribute, BufferGeometry, InstancedMesh, Mesh } from 'three';
 import type { SceneParts } from './sceneParts';
 
 /**
- * Begins to compile the programs of the first picture, the longest first. Otherwise three begins each one at its first draw and waits there
- * for the GPU's compiler, which now works on all of them at once, while the world is on its way and the ground is built.
+ * Begins to compile the programs of the first picture, the longest first. The GPU's compiler then
+ * works on all of them while the world is loading and the ground is built; three by itself would compile each at its first draw, and wait.
  */
 export function beginPrograms(parts: SceneParts): void {
   const { renderer, camera, scene, shipResources, ground, rocks, sky, markers, plumbLine } = parts;

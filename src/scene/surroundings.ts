@@ -58,7 +58,7 @@ function beginWorld(state: SceneState): void {
   parts.light.adapt();
   releaseRig(state.rig);
   clearActors(actors, parts.jets);
-  // All of the ground before its first frame: otherwise the ship would be above nothing.
+  // The whole ground at once: in the first frame nothing of it may be missing under the ship.
   parts.ground.follow(point[0]!, point[2]!, Infinity);
   state.isNewWorld = false;
 }

@@ -4,7 +4,7 @@ import { MAX_LINK_LENGTH } from './mission/runText';
 
 /** ms between two changes of the address: Safari throws after 100 in 30 s. */
 const EVERY = 400;
-/** ms until a change that the browser refused is tried again. */
+/** ms before a change that the browser refused is retried. */
 const AGAIN = 5000;
 
 export interface Address {
@@ -49,7 +49,7 @@ export function createAddress(window: Window, banner: Banner, notice: Notice): A
   };
 }
 
-/** Copies a link that carries a flight's inputs: it replays the same flight. Says so if the link is too long for some programs. */
+/** Copies a link with a flight's inputs, which replays the same flight. The message mentions a link too long for some programs. */
 export function copyFlight(
   { address, notice }: { readonly address: Address; readonly notice: Notice },
   query: string,

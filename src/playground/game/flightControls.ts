@@ -38,7 +38,7 @@ export interface FlightControls {
   readonly save: () => SavedControls;
   /** Lever, damping and mode as saved; what is held now is still held. */
   readonly restore: (saved: SavedControls) => void;
-  /** Right, away and up on the screen in ICRF, or null: the ship's own axes. Asked when a key goes down. */
+  /** Right, away and up on the screen in ICRF, or null: the ship's own axes. Read when a key goes down. */
   readonly steerInScreenAxes: (screen: (() => Float64Array | null) | null) => void;
   /** The present controls, `seconds` of wall time after the last sample; null while the plan flies. */
   readonly sample: (view: WorldView, now: number, seconds: number) => Controls | null;
@@ -50,7 +50,7 @@ interface FlightControlsState {
   readonly view: () => WorldView;
   isPaused: boolean;
   screen: (() => Float64Array | null) | null;
-  /** The autopilot's commands until the pilot takes over; the view's controls are a moment old. */
+  /** The autopilot's commands until the pilot takes over; those in the view are a moment old. */
   commanded: Controls | null;
 }
 

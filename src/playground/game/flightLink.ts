@@ -19,7 +19,7 @@ export interface FlightLink {
   readonly copy: () => void;
   /** Takes the server's inputs; returns whether `copy` requested them. */
   readonly take: (inputs: readonly RunInput[]) => boolean;
-  /** Copies the flight of a recording, in the world that its note names. */
+  /** Copies the flight of a recording, in the world named in its note. */
   readonly copyOf: (recording: Recording) => void;
 }
 

@@ -106,7 +106,7 @@ function takeFrame(state: LiveState, now: number): WorldView {
   advance(state, now);
   state.view = state.predictor.view(now);
   send(state, now);
-  // The autopilot flies on where the next frame comes late.
+  // The autopilot continues even if the next frame is late.
   if (state.flightControls.autopilot.isOn()) state.pace.expect(() => takeFrame(state, state.clock.now()));
   else state.pace.stop();
   return state.view;

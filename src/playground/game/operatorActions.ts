@@ -166,7 +166,7 @@ function toggleAway({ live, panel, banner }: OperatorTargets, state: OperatorSta
   banner.state('');
 }
 
-/** A real server takes no commands; the page says so. */
+/** Reports that a real server takes no commands. */
 export function isRemote({ choices, banner }: Pick<ActionTargets, 'choices' | 'banner'>): boolean {
   if (choices().server === '') return false;
   banner.flash('Only available with the built-in server.');

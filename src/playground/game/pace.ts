@@ -1,11 +1,11 @@
-/** Runs something on where frames come too rarely: those of a slow display are seconds apart, and a hidden tab has none. */
+/** Calls a function again where frames are too rare: on a slow display they are seconds apart, and a hidden tab has none. */
 export interface Pace {
   /** `next` runs in a moment, unless this is called again before. */
   readonly expect: (next: () => void) => void;
   readonly stop: () => void;
 }
 
-/** Wall ms: the autopilot samples as often. */
+/** Wall ms: the autopilot's sampling interval. */
 const GAP = 200;
 
 export function createPace(): Pace {

@@ -1,4 +1,4 @@
-/** Wall seconds that can be slowed down or sped up, by 0.1 to 4, without a jump: page and worker run on one each. */
+/** Wall seconds that can be slowed down or sped up, by 0.1 to 4, without a jump. Page and worker have one each. */
 export interface PageClock {
   readonly now: () => number;
   readonly speed: () => number;

@@ -3,7 +3,7 @@ import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
 /** Events of superseded frames that are kept for the recording, as many as the predictor keeps. */
 const MAX_EVENTS = 1000;
 
-/** Wraps pending messages so that those which the predictor decodes are also recorded, hashed and drawn from. */
+/** Wraps pending messages: those that the predictor decodes are also recorded, hashed and drawn from. */
 export interface PendingTap {
   /** `took` a decoded message, as it was sent or with superseded frames' events; `passed` over a superseded frame. */
   readonly wrap: (
@@ -14,7 +14,7 @@ export interface PendingTap {
   readonly clear: () => void;
 }
 
-/** A superseded frame is never decoded: its events go into the next frame that is, as they do in the predictor. */
+/** A superseded frame is never decoded: its events go into the next frame that is decoded, as in the predictor. */
 export function createPendingTap(): PendingTap {
   let superseded: WorldEvent[] = [];
   return {

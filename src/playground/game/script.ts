@@ -4,7 +4,7 @@ import { readFlight } from './mission/runText';
 
 /**
  * A scenario's scheduled inputs, and its end. The server in the page plays the plan at its exact substeps
- * and the predictor knows it beforehand, so that the run is the same at any frame rate and on any network.
+ * and the predictor has it in advance: the run is the same at any frame rate and on any network.
  */
 export interface Script {
   readonly plan: readonly ScheduledInput[];

@@ -56,7 +56,7 @@ export function readPad(out: Deflection, pad: PadState): boolean {
 export interface GamepadListeners {
   readonly pressed: (action: Action) => void;
   readonly confirmed: () => void;
-  /** A pad came into use, or went. */
+  /** A pad was connected or disconnected. */
   readonly changed: (name: string | null) => void;
 }
 

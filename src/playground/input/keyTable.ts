@@ -94,7 +94,7 @@ export function isBoundByPlace(action: Action): boolean {
   return FLIGHT_KEYS.has(action);
 }
 
-/** Of localStorage. Its first version had letters for flight keys too. */
+/** The item in localStorage. Version 1 had letters for flight keys too. */
 const STORAGE_KEY = 'touchdown.keys.2';
 
 export function defaultKeys(): KeySettings {

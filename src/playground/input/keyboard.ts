@@ -108,7 +108,7 @@ function signature(layout: Layout): number {
 
 const TEXT_INPUTS = /^(text|number|search|email|url|tel|password|date|time|file)$/;
 
-/** Text fields and open dialogs take every key; lists, boxes, sliders and buttons take only their own. */
+/** Text fields and open dialogs take every key; lists, boxes, sliders and buttons take only those that they use. */
 function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
   if (target.closest('textarea, [contenteditable], dialog[open]') !== null) return true;

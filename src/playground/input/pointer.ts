@@ -1,10 +1,10 @@
 import type { ShipDrag } from './shipDrag';
 import type { SceneView } from '../../scene';
 
-/** rad a CSS pixel of dragging; a key's turn, rad. */
+/** rad per CSS pixel of dragging; a key's turn, rad. */
 const DRAG = 0.006;
 const KEY_TURN = 0.09;
-/** Factor on the camera's distance of a key that zooms in; CSS pixels of the wheel for a factor of e. */
+/** A key that zooms in multiplies the camera's distance by this; CSS pixels of the wheel for a factor of e. */
 const KEY_ZOOM = 0.88;
 const WHEEL = 300;
 

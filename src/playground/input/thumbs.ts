@@ -19,7 +19,7 @@ export interface Thumbs {
 
 export type ThumbMode = 'rateDamping' | 'modeUpright' | 'autopilot';
 
-// The lever's place is the root of the throttle: a ship hovers at a tenth of it, and there a finger's width must not be a third.
+// The lever's position is the square root of the throttle: a ship hovers at a tenth, where a finger's width must not change it by a third.
 
 /** CSS px from a stick's middle to its full deflection. */
 const REACH = 44;
@@ -32,7 +32,7 @@ const BUTTONS: readonly (readonly [Action, string])[] = [
   ['autopilot', 'Auto'],
 ];
 
-/** Three thumb sticks and a lever, with words; shown where fingers are the pointer. The lever and the buttons are native controls. */
+/** Three thumb sticks and a lever, with labels; shown on touch screens. The lever and the buttons are native controls. */
 export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thumbs {
   const { deflection, moved } = listeners;
   createStickPad(host, 'Tilt', (right, away) => {

@@ -8,7 +8,7 @@ declare const OFFLINE_FILES: Readonly<Record<string, string>>;
 /** Changes with any of them. */
 declare const OFFLINE_VERSION: string;
 
-/** ms for one file while storing: a host that accepts and never answers must not hold the worker for ever. */
+/** ms for one file while storing: a host that never answers must not block the worker. */
 const FILE_LIMIT = 60_000;
 /** Marks a cache whose build was replaced: the pages still open may need it, those of the next replacement do not. */
 const SUPERSEDED = '?superseded';
@@ -51,7 +51,7 @@ export function createBuildCache(address: string, caches: CacheStorage): BuildCa
     const expected = TYPES.find(([ending]) => ending.test(file))?.[1];
     if (!response.ok || expected?.test(type) === false)
       throw new Error(`${file || 'the document'}: the host answered ${response.status} ${type}`);
-    // A host may have redirected, and an answer that says so is refused where a page is asked for.
+    // A host may have redirected: browsers refuse a redirected response to a navigation.
     await cache.put(urlOf(file), new Response(await response.blob(), { headers: response.headers }));
   }
 

@@ -1,6 +1,6 @@
 /**
- * Stores the built page for use without a network. Built into offline.js beside index.html, with the list of the build's files in it:
- * another build is another script, which the browser installs when it next loads the page and which takes over once it is complete.
+ * Stores the built page for use without a network. Built into offline.js beside index.html, with the list of the build's files in it.
+ * Another build is another script: the browser installs it when it next loads the page, and it takes over once it is complete.
  * A host turns it off for good by no longer serving offline.js: stored files are then removed.
  */
 import { openDocument } from './documents';
@@ -33,7 +33,7 @@ scope.addEventListener('install', (event) =>
   event.waitUntil(build.store().then(scope.skipWaiting.bind(scope))),
 );
 scope.addEventListener('activate', (event) =>
-  // The page that is open already is served from here too.
+  // The page that is already open is served from here too.
   event.waitUntil(build.removeOutdated().then(() => scope.clients.claim())),
 );
 scope.addEventListener('fetch', (event) => {

@@ -1,4 +1,4 @@
-/** Small pieces of DOM; text is always text. */
+/** Small pieces of DOM. Text is never parsed as markup. */
 
 export function append<Tag extends keyof HTMLElementTagNameMap>(
   parent: Element,
@@ -32,7 +32,7 @@ export function appendDetails(parent: Element, title: string, open: boolean): HT
 export function appendLicences(parent: Element): void {
   const link = append(parent, 'a', '', 'Licences of the bundled libraries');
   link.href = './notices.txt';
-  // Beside the page: in its place it would end the flight.
+  // In a new tab: in this one it would end the flight.
   link.target = '_blank';
 }
 
@@ -78,7 +78,7 @@ export function createSelect(
   return select;
 }
 
-/** A text field. Enter ends it, so that the keys fly again. */
+/** A text field. Enter takes the focus from it, so that the keys fly again. */
 export function createText(document: Document, placeholder: string): HTMLInputElement {
   const input = document.createElement('input');
   input.type = 'text';

@@ -29,7 +29,7 @@ export function createGoalPanel(element: HTMLElement): GoalPanel {
 
 /**
  * Text with its keys in braces, set only where it changes. Lines break between its parts first: a word and its keys stay together. A dot
- * between two parts is read and not seen, because it would end a line; parts that it separates stand further apart.
+ * between two parts is for screen readers only, because it could end a line; on the screen a wider gap separates the parts.
  */
 function createKeyedText(element: HTMLElement): (text: string) => void {
   let shown = '';

@@ -62,7 +62,7 @@ export function createHelp(
     open() {
       paint();
       if (!dialog.open) dialog.showModal();
-      // At its beginning: the last button would scroll a small screen to the end.
+      // Focus at the top: a button at the end would scroll a small screen there.
       title.focus();
       dialog.scrollTop = 0;
     },

@@ -22,7 +22,7 @@ export interface MissionCard {
   readonly hide: () => void;
 }
 
-/** The card after LANDED or CRASHED. It is announced, and takes no focus: the ship may still be flown. */
+/** The card after LANDED or CRASHED. It is announced and takes no focus: the pilot may fly on. */
 export function createMissionCard(element: HTMLElement): MissionCard {
   return {
     hide() {

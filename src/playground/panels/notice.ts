@@ -4,7 +4,7 @@ import { append, appendButton } from './elements';
 export interface Notice {
   /** A fault, with advice. */
   readonly show: (text: string) => void;
-  /** Not a fault: an invitation. */
+  /** An invitation. */
   readonly tell: (text: string) => void;
   readonly clear: () => void;
   /** Removes a message that is no longer true; the others stay. */

@@ -46,7 +46,7 @@ const OVERLAY_WORDS: Readonly<Record<OverlayName, string>> = {
   forces: 'Forces',
 };
 
-/** `fast_frigate` → `Fast frigate`: ids are for programs. */
+/** `fast_frigate` → `Fast frigate`. */
 function nameOf(id: string): string {
   const words = id.replaceAll('_', ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);

@@ -13,9 +13,9 @@ export interface Playhead {
   controls: Controls | null;
 }
 
-/** Wall seconds between two keyframes: the cost of a step back is to read that much again. */
+/** Wall seconds between two keyframes: a step back reads at most that much again. */
 const INTERVAL = 2;
-/** Bytes that all keyframes take at most, and one ship's share of a keyframe. */
+/** Most bytes of all keyframes, and one ship's share of a keyframe. */
 const MAX_BYTES = 200e6;
 const SHIP_BYTES = 22_000;
 

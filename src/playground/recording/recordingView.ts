@@ -97,7 +97,7 @@ async function save(context: RecordingViewContext, recording: Recording): Promis
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** The code that plays, reads and writes recordings; says so where it does not load. */
+/** The code that plays, reads and writes recordings; shows a message if it does not load. */
 async function fetchPart({ notify: tell }: RecordingViewContext): Promise<typeof Replaying | null> {
   try {
     return await import('./replaying');

@@ -52,7 +52,7 @@ export function createReplay(recording: Recording): Replay {
     const isSkip = isUndone || keyframes.hasBetween(playhead.shownAt + JUMP, wanted);
     if (isSkip || wanted < position) generation++;
     position = wanted;
-    // Between two entries nothing that was read has to be undone: the predictor stays.
+    // No entry lies between: the same predictor serves.
     if (isSkip) goFrom(keyframes.before(wanted));
     while (playhead.next < entries.length && entries[playhead.next]!.at <= wanted) {
       const entry = entries[playhead.next]!;
@@ -77,7 +77,7 @@ export function createReplay(recording: Recording): Replay {
     view: () => view,
     seek(at) {
       moveTo(at);
-      // Between two frames there was no picture: the earlier one's stays.
+      // No picture was drawn between two frames: the earlier one's stays.
       view = playhead.predictor.view(playhead.shownAt);
       return view;
     },
@@ -95,7 +95,7 @@ export function createReplay(recording: Recording): Replay {
 
 /** A step's first try is off by the clock's steering in between, a fraction of a per cent. */
 const MAX_TRIES = 2;
-/** s of wall time that are not visible. */
+/** Differences in wall time up to this are not visible, s. */
 const CLOSE = 1e-5;
 
 type FrameEntry = Extract<RecordingEntry, { kind: 'received' }> & {

@@ -39,9 +39,9 @@ export interface ConnectionHandlers {
   readonly onFrame: (frame: PartialFrame) => void;
   /** The worker's server has gone. */
   readonly onClosed: (reason: string) => void;
-  /** Status of the link to a real server, in words; '' while all is well. */
+  /** Status of the link to a real server, in words; '' while it works. */
   readonly onLink: (words: string) => void;
-  /** The game's server has signed the player in: its data about the player, unchecked. */
+  /** The game's server has signed the player in; its data about the player, unchecked. */
   readonly onWelcome: (about: Readonly<Record<string, unknown>>) => void;
   /** A ship is gone for good; `own`: the details sent to its owner. */
   readonly onShipGone: (shipId: string, own: ShipLoss | null) => void;
@@ -74,7 +74,7 @@ export type FromServer =
   | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
 /**
- * The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is asked to load one.
+ * The server in a Web Worker. Its `program` is the page's own main.ts. It has no world before it loads one.
  * @param begun a worker that was started in this task; null: one is started
  */
 export function openWorker(

@@ -5,7 +5,7 @@ import { loadNetwork, type NetworkNumbers, type ScheduledInput } from '../../sce
 /** Commands of the page's operator to the server in the worker, besides the protocol. */
 export type Operation =
   | LoadOperation
-  /** Holds from the next tick. */
+  /** From the next tick. */
   | { readonly kind: 'pause'; readonly paused: boolean }
   /** Only while paused. */
   | { readonly kind: 'step'; readonly unit: 'substep' | 'tick' }
@@ -23,7 +23,7 @@ export type Operation =
   /** Keeps the state of all ships, and puts them back into it, over the same ground. */
   | { readonly kind: 'snapshot' }
   | { readonly kind: 'restore' }
-  /** Puts the player's ship at rest, `offset` (ICRF axes, m) from where it was when the carrying began. */
+  /** Puts the player's ship at rest, `offset` (ICRF axes, m) from its position at the start of the drag. */
   | { readonly kind: 'drag'; readonly offset: Triple; readonly begins: boolean }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
@@ -40,7 +40,7 @@ export interface LoadOperation {
   readonly kind: 'load';
   /** A name in SCENARIOS. */
   readonly scenario: string;
-  /** Instead of the scenario's own, where not ''. */
+  /** In place of the scenario's; '' for the scenario's own. */
   readonly body: string;
   readonly shipClass: string;
   readonly terrain: string;

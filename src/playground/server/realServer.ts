@@ -120,7 +120,7 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
   };
 }
 
-/** No ping of the predictor's has this number. */
+/** The predictor gives this ID to no ping. */
 const OWN_PING: ClientMessage = { kind: 'ping', id: MAX_TICK };
 
 function openStream(address: string, token: string, handlers: ConnectionHandlers): Link {

@@ -1,4 +1,4 @@
-/** The address of a room in this browser, where a socket's begins with ws:. */
+/** Prefix of the address of a world in another tab; that of a socket begins with ws:. */
 export const TAB_ADDRESS = /^tab:[\w-]{1,32}$/;
 
 /** Whether an address is of a server whose world is no scenario of the page; '' is the built-in one. */

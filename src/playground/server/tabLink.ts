@@ -2,7 +2,7 @@ import { encodeClientMessage, pendingServerMessage } from '../../wire';
 import type { Connection, ConnectionHandlers } from './connection';
 import { MAX_PILOT_NAME } from './tabAddress';
 
-/** Guest → host, over a channel that every tab of the browser hears. */
+/** Guest → host, over a channel that every tab of the browser receives. */
 export type ToHost =
   | { readonly kind: 'join'; readonly from: string; readonly name: string }
   | { readonly kind: 'bytes'; readonly from: string; readonly bytes: Uint8Array }
@@ -103,12 +103,12 @@ function readToHost(data: unknown): ToHost | null {
   return null;
 }
 
-/** Wall ms between two knocks, and without a word after which the host counts as gone. */
+/** Wall ms between two knocks, and of silence after which the host counts as gone. */
 const KNOCK = 1500;
 const SILENT = 6000;
 
 /**
- * A world that another tab of this browser plays: its page is the host, this one flies as a guest.
+ * A world that another tab of this browser runs: that page is the host, this one flies as a guest.
  * @param guest this page's own name on the channel: letters, digits, - and _
  */
 export function openTab(

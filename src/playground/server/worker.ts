@@ -35,7 +35,7 @@ function schedule(server: Server, now: number): void {
   const { session, clock } = server;
   clearTimeout(server.timer);
   const wait = (session.nextAt() - now) / clock.speed();
-  // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms, and drops fractions: too early, it would run again and again.
+  // While frozen there is nothing to wait for. setTimeout takes at most 2³¹ ms and drops fractions: too early, it would run again and again.
   if (!Number.isFinite(wait)) return;
   server.timer = setTimeout(() => run(server), Math.min(Math.max(0, Math.ceil(wait * 1000)), 60_000));
 }
@@ -69,7 +69,7 @@ function operate(server: Server, operation: Operation): void {
   else if (operation.kind === 'drop') post({ kind: 'closed', reason: 'the connection was dropped' });
 }
 
-/** Once: the address is the page's own for as long as it is open. */
+/** Invites once: the address is valid as long as the page is open. */
 function invite(server: Server, address: string): void {
   const { session, clock } = server;
   server.host ??= createTabHost(openChannel(address), {

@@ -21,7 +21,7 @@ interface Voices {
 
 /** Seconds of noise that repeat. */
 const NOISE_SECONDS = 2;
-/** s: gains follow within this, so that nothing clicks; thrusters fire in shorter pulses. */
+/** s: gains change within this, so that nothing clicks; thrusters fire in shorter pulses. */
 const EASE = 0.05;
 const THRUSTER_EASE = 0.02;
 /** Gains, 0 … 1. The ear hears ratios, so that of the engine grows with the root of the throttle. */
@@ -32,7 +32,7 @@ const engineGain = (throttle: number): number => (throttle === 0 ? 0 : 0.15 + 0.
 const engineTone = (throttle: number): number => 90 + 500 * throttle;
 /** Hz below which the thrusters' noise is cut off. */
 const HISS_FROM = 2500;
-/** Loudness of a touch at `speed`, m/s, 0 … 1. */
+/** Loudness of a touch at `speed`, m/s: 0 … 1. */
 const touchLoudness = (speed: number): number => Math.min(1, 0.2 + speed / 15);
 /** Seconds between two beeps of the alarm, and the time before the latest braking at which it begins, s. */
 const BEEP_EVERY = 0.5;

@@ -50,7 +50,7 @@ export interface Cockpit {
 /** Which displays a frame paints. */
 export type Turn = 'all' | 'landing' | 'flight' | 'none';
 
-/** All displays, or while frames come fast each in every other one and none in one that is busy otherwise. */
+/** All displays; while frames come fast, each in every other frame, and none in a busy one. */
 export function createTurns(): (isFast: boolean, isBusy: boolean) => Turn {
   let isFlights = false;
   return (isFast, isBusy) => {

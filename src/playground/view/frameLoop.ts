@@ -14,7 +14,7 @@ export interface FrameContext {
   readonly viewForScene: (view: WorldView) => WorldView;
   /** The first picture is drawn. */
   readonly opened: () => void;
-  /** A world has been asked for and has not come yet. */
+  /** A world has been requested and has not arrived yet. */
   readonly isLoading: () => boolean;
   readonly resolution: Resolution | null;
   readonly fit: () => void;
@@ -29,7 +29,7 @@ export interface FrameLoop {
 /** ms */
 const SLOW_FRAME = 25;
 
-/** Draws as often as the browser asks. The first picture builds the ground and compiles its programs, a second or more. */
+/** Draws in every animation frame. The first picture builds the ground and compiles its programs, a second or more. */
 export function createFrameLoop(window: Window, root: HTMLElement, context: FrameContext): FrameLoop {
   const { sceneView } = context;
   const freezeAt = Number(new URLSearchParams(window.location.search).get('freeze') ?? NaN);

@@ -18,7 +18,7 @@ export function watchSize(window: Window & typeof globalThis, canvas: Element, c
 /** CSS pixels of width below which no picture is drawn coarser. */
 const SHARP = 600;
 
-/** Device pixels per CSS pixel; a small picture gains nothing by being coarser. */
+/** Device pixels per CSS pixel. A coarser picture would not speed up a small canvas. */
 export function pixelRatioOf(window: Window, width: number, share: number): number {
   return Math.min(window.devicePixelRatio, 2) * Math.max(share, Math.min(SHARP / width, 1));
 }

@@ -1,4 +1,4 @@
-/** Frames a second below which the picture is drawn coarser, and above which finer again. */
+/** Frames per second below which the picture is drawn coarser, and above which finer again. */
 const SLOW = 24;
 const FAST = 50;
 /** Wall seconds between two frames that mean that the tab was hidden. */
@@ -8,7 +8,7 @@ const LEVELS = [1, 0.8, 0.62, 0.5] as const;
 const WORTH = 1.15;
 /** Frames that a measurement takes at least; the one after a change is not counted, since buffers are created in it. */
 const FRAMES = 6;
-/** Wall seconds of a measurement, and how many of them to wait after a step that was not worth it. */
+/** Wall seconds of a measurement, and how many of them to wait after a step that did not help. */
 const SPAN = 1.5;
 const PATIENCE = 20;
 /** Measurements above FAST before a finer picture is tried. */
@@ -30,7 +30,7 @@ export function createResolution(): Resolution {
   let settling = false;
   let calm = 0;
   let patience = 0;
-  /** Frames a second before the last step to a coarser picture, while it has not proved its worth. */
+  /** Frames per second before the last step to a coarser picture; until it is known whether the step helped. */
   let before = NaN;
 
   const step = (rate: number): number => {

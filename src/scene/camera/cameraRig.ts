@@ -80,8 +80,8 @@ export function releaseRig(rig: MovingRig): void {
 }
 
 /**
- * Follows by a critically damped spring towards the drawn ship that knows the ship's own velocity: it does not lag behind a
- * steady flight, and neither a correction nor a bounce makes the picture jump.
+ * Follows the drawn ship by a critically damped spring, with the ship's velocity fed forward: it does not lag behind a steady
+ * flight, and neither a correction nor a bounce makes the picture jump.
  */
 export function updateRig(
   rig: MovingRig,

@@ -23,10 +23,10 @@ const CHASE_ELEVATION = 0.32;
 /** rad: at a steeper angle the picture's top has no direction. */
 const ABOVE_ELEVATION = 1.5;
 const ABOVE_DISTANCE = 2.2;
-/** Of the cockpit's eye over the centre of mass, in heights of it over the feet; how far it looks down, rad. */
+/** Height of the cockpit's eye over the centre of mass, as a share of that one's height over the feet; how far it looks down, rad. */
 const COCKPIT_HEIGHT = 0.75;
 const COCKPIT_DIP = 0.3;
-/** m in front of the cockpit's eye: nearer, the ship's own hull is left out. */
+/** Near plane of the cockpit camera, m: it leaves out the ship's own hull. */
 const HULL_REACH = 0.9;
 const NEAR = 0.4;
 
@@ -59,7 +59,7 @@ export function aimCamera(
   camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
 }
 
-/** m of the feet over the pad: from the upper one down the view sinks, and from the lower one on the ship is seen from the side. */
+/** Heights of the feet over the pad, m: between them the camera sinks, and below the lower one it sees the ship from the side. */
 const PAD_HIGH = 18;
 const PAD_LOW = 4;
 /** m: closer to the pad's centre the direction to it is meaningless. */
@@ -111,7 +111,7 @@ function turnBehind(rig: MovingRig, velocity: Float64Array, seconds: number): vo
 const forward = new Float64Array(3);
 const upward = new Float64Array(3);
 
-/** Body axes: x right, y ahead of a pilot whose ship stands on the ground, z up. */
+/** Body axes: x right, y ahead for the pilot of an upright ship, z up. */
 function placeInCockpit(camera: PerspectiveCamera, rig: MovingRig, { actor }: CameraPlace): void {
   vec3.transformQuat(forward, [0, Math.cos(COCKPIT_DIP), -Math.sin(COCKPIT_DIP)], actor.turn);
   vec3.transformQuat(upward, [0, 0, 1], actor.turn);

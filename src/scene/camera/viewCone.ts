@@ -21,7 +21,7 @@ export interface Opening {
   readonly upright: number;
 }
 
-/** Upright field of view, degrees, of a picture that is `aspect` times as wide as high: a tall one sees across what a square one does. */
+/** Upright field of view, degrees, of a picture that is `aspect` times as wide as high. A tall picture shows as much width as a square one. */
 export function fieldOfView(aspect: number): number {
   return aspect >= 1 ? 48 : 62;
 }

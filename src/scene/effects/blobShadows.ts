@@ -12,8 +12,8 @@ import {
 import { uploadFirst } from '../uploads';
 
 /**
- * Soft shadows of the ships outside the shadow map, which covers the watched ship only. Each is laid on the slope of the ground
- * where the sun throws it, drawn out along the light as a low sun draws it.
+ * Soft shadows of the ships outside the shadow map, which covers the watched ship only. Each lies on the ground's slope where the sun
+ * casts it, and a low sun stretches it along the light.
  */
 export interface BlobShadows {
   readonly mesh: InstancedMesh;

@@ -101,7 +101,7 @@ function pieceOf(n: number): Piece {
   };
 }
 
-/** s until a piece meets the ground, within STEP: the error is hidden by the size of a small piece. */
+/** s until a piece reaches the ground, within STEP: the error is hidden by the size of a small piece. */
 function landingOf(
   { velocity }: Piece,
   gravity: number,

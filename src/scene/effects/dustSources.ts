@@ -76,7 +76,7 @@ function raiseSlidingDust(dust: Dust, state: DustState, ship: DustyShip, grains:
   }
 }
 
-/** Where the exhaust meets the ground: flat sheets outward, weaker with height. */
+/** Where the exhaust hits the ground: flat sheets outward, weaker with height. */
 function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): void {
   const down = -ship.blows[1]!;
   if (down < 0.3) return;

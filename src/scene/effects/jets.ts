@@ -89,12 +89,12 @@ interface Cone {
   readonly blows: Vector3;
   readonly radius: number;
   readonly length: number;
-  /** Growth of the radius a metre of length. */
+  /** Growth of the radius per metre of length. */
   readonly spread: number;
   readonly nozzle: number;
 }
 
-/** Of an engine two, one in the other; `lengths`: of the outer one in radii. */
+/** An engine has two cones, one inside the other; `lengths`: length of the outer one in radii. */
 function conesOf({ engines, thrusters }: ShipModel, spread: number, lengths: number): Cone[] {
   const down = new Vector3(0, 0, -1);
   const ofEngines = engines.flatMap(({ at, radius }, nozzle): Cone[] => [
@@ -108,7 +108,7 @@ function conesOf({ engines, thrusters }: ShipModel, spread: number, lengths: num
   return [...ofEngines, ...ofThrusters];
 }
 
-/** Attributes of all corners, three to a triangle; two numbers of each in `jets`, three in the others. */
+/** Attributes of all corners, three per triangle: two numbers per corner in `jets`, three in the others. */
 interface Corners {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
@@ -119,7 +119,7 @@ interface Corners {
 const SIDES = 14;
 const STEPS = 5;
 const CONE_CORNERS = STEPS * SIDES * 6;
-/** Points of a cone, a row per step; the last of a row is the first again. */
+/** Points of a cone, one row per step; the last point of a row repeats the first. */
 const ROW = SIDES + 1;
 const points = new Float64Array((STEPS + 1) * ROW * 3);
 const outwards = new Float64Array(ROW * 3);

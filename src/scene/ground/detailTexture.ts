@@ -2,7 +2,7 @@ import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RG
 import { cellNoise, fillTile } from './noise';
 
 const SIZE = 256;
-/** A power of two less one: a row or column beyond either edge is the one at `& LAST`. */
+/** A power of two minus one: `& LAST` wraps a row or column around the edges. */
 const LAST = SIZE - 1;
 
 /**
@@ -36,7 +36,7 @@ function grain(heights: Float32Array): void {
   for (let at = 0; at < sums.length; at++) heights[at] = sums[at]! * 9;
 }
 
-/** Called once per octave: a loop of the caller's own would mostly run before it is compiled. */
+/** Called once per octave, so that the engine compiles it early: a loop in the caller would mostly run uncompiled. */
 function addOctave(sums: Float64Array, tile: Float64Array, size: number): void {
   for (let at = 0; at < sums.length; at++) sums[at]! += size * (tile[at]! - 0.5);
 }

@@ -5,7 +5,7 @@ import { uploadItems } from '../uploads';
 
 /**
  * All levels of the ground in one mesh. three prepares program, uniforms and buffers once per frame, and each level in sight costs
- * one more draw call. As meshes of their own they took 7 % more of a frame’s script.
+ * one more draw call. As separate meshes they took 7 % more of a frame’s script.
  */
 export interface GroundMesh {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;

@@ -3,11 +3,11 @@ import { type TerrainLevel } from './terrainLevel';
 import type { ViewCone } from '../camera/viewCone';
 
 /**
- * A level's triangles ordered by sectors around its centre, so that one draw leaves out those behind the eye. They are
- * there twice in a row: any run of neighbouring sectors, across the last too, is one range.
+ * A level's triangles ordered by sectors around its centre, so that one draw leaves out those behind the eye. The list
+ * is there twice in a row: any run of neighbouring sectors, past the last one too, is one range.
  */
 export interface GroundSectors {
-  /** SECTOR_INDICES of them; the level's vertex 0 is `firstVertex`. */
+  /** SECTOR_INDICES numbers; the level's vertex 0 is `firstVertex`. */
   readonly indices: Uint16Array;
   readonly firstVertex: number;
   /** Where each sector begins in `indices`; twice round, and the end. */
@@ -89,7 +89,7 @@ const seen = new Uint8Array(SECTORS);
 /** Outline of a sector: x, z of its four corners. */
 const outline = new Float64Array(8);
 
-/** The shortest run of sectors that holds all that the cone can see; an empty range where it sees nothing of the level. */
+/** The shortest run of sectors that holds all that is inside the cone; an empty range if nothing of the level is. */
 export function visibleRange(
   out: IndexRange,
   sectors: GroundSectors,

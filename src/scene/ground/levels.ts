@@ -14,7 +14,7 @@ export function levelCount(radius: number): number {
 
 export const MAX_LEVELS = levelCount(Infinity);
 
-/** What the GPU has of a level: VERTICES² points relative to the level's `origin`. */
+/** The GPU's data of a level: VERTICES² points relative to the level's `origin`. */
 export interface DrawnPoints {
   readonly positions: Float32Array;
   readonly normals: Float32Array;

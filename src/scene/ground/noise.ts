@@ -1,4 +1,4 @@
-/** A number in [0, 1) from two cell indices and a seed: the same everywhere, no random. */
+/** A hash of two cell indices and a seed, in [0, 1): the same on every machine. */
 export function cellNoise(i: number, k: number, seed: number): number {
   let h = Math.imul(i, 0x27d4eb2d) ^ Math.imul(k, 0x165667b1) ^ Math.imul(seed, 0x9e3779b1);
   h = Math.imul(h ^ (h >>> 15), 0x85ebca6b);
@@ -6,7 +6,7 @@ export function cellNoise(i: number, k: number, seed: number): number {
   return ((h ^ (h >>> 16)) >>> 0) / 0x100000000;
 }
 
-/** Fills a square of `size` texels a side with smooth noise in [0, 1), of `period` cells a side: as a tile it repeats without a seam. */
+/** Fills a square of `size` × `size` texels with smooth noise in [0, 1), of `period` × `period` cells. It tiles without a seam. */
 export function fillTile(out: Float64Array, size: number, period: number, seed: number): void {
   const corners = Float64Array.from({ length: period * period }, (_, n) =>
     cellNoise(n % period, Math.floor(n / period), seed),

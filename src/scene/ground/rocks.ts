@@ -21,7 +21,7 @@ const CELL = 5;
 const REACH = 11;
 const PER_CELL = 2;
 const MAX_STONES = (2 * REACH + 1) ** 2 * PER_CELL;
-/** The sun's shadow map reaches about as far around the ship, m: stones farther off throw no shadow. */
+/** The sun's shadow map reaches about as far around the ship, m: stones farther away cast no shadow. */
 const SHADOW_REACH = 18;
 /** m: how far outside the picture a stone is still drawn, so that the choice holds while the eye moves a little. */
 const MARGIN = 2;
@@ -33,7 +33,7 @@ export interface Rocks {
   setGround(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   /** `shadowY`: local y below which it is in the terrain's shadow. Stones in shadow are left out. */
   follow(x: number, z: number, shadowY: (x: number, z: number) => number): void;
-  /** Places them relative to the eye (local, m) and leaves out those out of sight. */
+  /** Places the stones relative to the eye (local, m) and leaves out those out of sight. */
   place(eye: Float64Array, cone: ViewCone): void;
   paint(look: BodyLook): void;
   dispose(): void;

@@ -6,8 +6,8 @@ import { CELLS, type DrawnPoints, VERTICES } from './levels';
 const SIDE = CELLS + 3;
 /**
  * One ring of the ground: a square grid of `spacing` metres on the plane y = 0 of the local frame, each point pushed along
- * its radius to body radius + terrain height, in doubles. Points are kept while the grid moves, so that a step of the ship
- * costs a row of terrain calls and not a square of them.
+ * its radius to body radius + terrain height, in doubles. Points are kept while the grid moves: a step
+ * of the ship costs one row of terrain calls, not a square.
  */
 export interface TerrainLevel extends DrawnPoints {
   readonly spacing: number;

@@ -33,7 +33,7 @@ const TOUCH_RADIUS = 3.4;
 const TOUCH_RING_WIDTH = 0.5;
 const MAST_HEIGHT = 7;
 const BEAM_HEIGHT = 90;
-/** A predicted touch that moves by less is drawn where it was, m. */
+/** m: a predicted touch that moves by less stays where it is drawn. */
 const TOUCH_STEP = 0.1;
 const NEXT = 0x7fe4ff;
 const REST = 0x8a98a6;

@@ -62,7 +62,7 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
 const way = new Vector3();
 
 /**
- * The footprint's centre: below the ship along the surface normal, where the feet of a ship that stands flush are. High above a slope
+ * The footprint's centre: below the ship along the surface normal, where the feet of a ship flush with the ground are. High above a slope
  * it is no further to the side than from the ship's own height.
  */
 function placeFootprint(out: Places, ship: ShipView): void {

@@ -36,7 +36,7 @@ interface Level {
   compression: InstancedBufferAttribute;
   /** Share of the sun that reaches each ship, 0 … 1. */
   sunlit: InstancedBufferAttribute;
-  /** Whether they differ from what the GPU has. */
+  /** Whether they differ from the GPU's copy. */
   hasNewCompression: boolean;
   hasNewSunlit: boolean;
   count: number;
@@ -103,7 +103,7 @@ export function createHulls(material: ShipMaterial): Hulls {
   };
 }
 
-/** Writes one number; whether it was another. */
+/** Writes one number. Returns whether it has changed. */
 function change({ array }: InstancedBufferAttribute, at: number, value: number): boolean {
   const rounded = Math.fround(value);
   if (array[at] === rounded) return false;
@@ -116,7 +116,7 @@ function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipM
   return { geometry, isWhole, count: 0, ...isNew, ...createMesh(geometry, FIRST_ROOM, isWhole, material) };
 }
 
-/** Makes room for twice as many ships, and keeps those already there. */
+/** Doubles the room, and keeps the ships that are there. */
 function enlarge(level: Level, group: Group, material: ShipMaterial): void {
   const { mesh: old, compression: before, sunlit } = level;
   const made = createMesh(level.geometry, 2 * level.count, level.isWhole, material);

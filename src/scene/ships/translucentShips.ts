@@ -2,7 +2,7 @@ import { Group, Quaternion, Vector3 } from 'three';
 import { createGhost, type Ghost } from '../overlays/ghost';
 import type { ShipActor } from './shipActor';
 
-/** The ships that are drawn as translucent hulls. Few: each is a draw of its own. */
+/** The ships that are drawn as translucent hulls: few, since each takes a draw call. */
 export interface TranslucentShips {
   readonly group: Group;
   /** Begins a frame without ships. */
@@ -12,7 +12,7 @@ export interface TranslucentShips {
   dispose(): void;
 }
 
-/** 0xrrggbb: no other mark in the picture has it. */
+/** 0xrrggbb: no other mark in the picture has this colour. */
 const COLOUR = 0xdcb4ff;
 
 export function createTranslucentShips(): TranslucentShips {

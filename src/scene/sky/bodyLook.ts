@@ -6,14 +6,14 @@ export interface BodyLook {
   readonly dust: readonly [number, number, number];
   readonly cover: readonly [number, number, number];
   readonly stone: readonly [number, number, number];
-  /** 1: dark ground that shines back at all angles alike, as regolith without air does; 0: Lambert. */
+  /** 1: ground that reflects equally at all angles, like dark regolith; 0: Lambert. */
   readonly regolith: number;
   readonly sun: SunPlace;
   readonly sunColour: readonly [number, number, number];
   readonly sunStrength: number;
   /** Light from the sky, and the sky's colours; null: no air, black sky, stars. */
   readonly air: Air | null;
-  /** Light that shadows get where there is no air: from sunlit ground around. */
+  /** Light in shadows where there is no air: from the sunlit ground around. */
   readonly fill: readonly [number, number, number];
   /** Another body in the sky: direction in the local frame, angular radius in degrees, colours. */
   readonly neighbour: Neighbour | null;

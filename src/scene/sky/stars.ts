@@ -6,7 +6,7 @@ export interface Stars {
   dispose(): void;
 }
 
-/** Each star is a soft disc over several pixels: as the camera turns its light moves on smoothly, it does not hop between pixels. */
+/** Each star is a soft disc over several pixels: as the camera turns, it moves smoothly instead of jumping from pixel to pixel. */
 const VERTEX = /* glsl */ `
 attribute vec4 light;
 varying vec3 vColour;

@@ -7,9 +7,9 @@ export interface SceneLook extends BodyLook {
   readonly isNight: boolean;
 }
 
-/** Elevation of the sun by night, degrees: below what lights the sky of a body with air. */
+/** Elevation of the sun by night, degrees: too low to light the sky of a body with air. */
 export const NIGHT_ELEVATION = -14;
-/** A sun at the horizon would throw shadows without end, degrees. */
+/** Lowest sun, degrees: at the horizon shadows would be endless. */
 const LOWEST_SUN = 2;
 /** Of the day's sun. The real ratios are 1 : 10,000 and less; the exposure is that of an eye adapted to the dark. */
 const NIGHT_STRENGTH = 0.22;

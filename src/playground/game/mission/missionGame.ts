@@ -23,7 +23,7 @@ export interface MissionGame {
   /** A new world has begun. */
   readonly begin: () => void;
   readonly watch: (view: WorldView) => void;
-  /** Says what to do now to land; null aids: they are off. */
+  /** Shows what to do now to land; null aids: they are off. */
   readonly advise: (view: WorldView, aids: LandingAids | null) => void;
   /** Enter, or the gamepad's A: the card's first action, or skip a lesson. */
   readonly confirm: () => void;
@@ -49,7 +49,7 @@ export interface MissionContext {
   readonly device: () => Device;
   readonly cap: (action: Action) => string;
   readonly resetCamera: () => void;
-  /** Says something for a few seconds. */
+  /** Shows a message for a few seconds. */
   readonly flash: (text: string) => void;
 }
 
@@ -152,7 +152,7 @@ function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
-/** No advice to descend beside the pad, though a word where the tank is empty, and none at all after the landing or for the autopilot. */
+/** No advice to descend beside the pad, except that the tank is empty; none at all after the landing or for the autopilot. */
 function adviceFor(
   tracker: MissionTracker,
   view: WorldView,

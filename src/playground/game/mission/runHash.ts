@@ -7,7 +7,7 @@ export interface RunHash {
   readonly take: (frame: PartialFrame) => void;
   /** `tick:hash`, '' before the first state. */
   readonly text: () => string;
-  /** A state at or past the scenario's last tick has come, or nothing is hashed: no state needs to be decoded for this any more. */
+  /** The scenario's last state has been hashed, or none is: no further state needs to be decoded for the hash. */
   readonly ended: () => boolean;
 }
 

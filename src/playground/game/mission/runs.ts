@@ -3,7 +3,7 @@ import type * as BestRunsModule from './bestRuns';
 import type { BestRuns } from './bestRuns';
 import { BEST_RUN_KEY } from './runText';
 
-/** Replays and scores runs: loaded when a run has been flown, stored or sent. */
+/** Replays and scores runs: loaded once a run was flown, stored or received. */
 export interface Runs {
   /** Whether a best run of a mission is stored in this browser. */
   readonly isKept: (mission: Mission) => boolean;

@@ -71,7 +71,7 @@ export function wireCockpit(page: Page, parts: Parts): Cockpit {
 /** The D-pad's directions, which are too long in words for a list. */
 const ARROWS: Partial<Record<Action, string>> = { modeUpright: '↑', modeRetrograde: '←', modeHold: '→' };
 
-/** The key of a mode, short; a touch screen has its name on a button. */
+/** The key of a mode, in short; on a touch screen the button has its name. */
 export function modeLabelOf(device: Device, action: Action, cap: (action: Action) => string): string {
   if (device === 'thumbs') return '';
   return (device === 'gamepad' ? ARROWS[action] : undefined) ?? controlName(device, action, cap);

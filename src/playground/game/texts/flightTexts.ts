@@ -101,7 +101,7 @@ function named(text: string, device: Device, keyCap: (action: Action) => string)
   });
 }
 
-/** The corridor with which an advice's words agree, those words, and the words in another: advice is about the speed in a moment. */
+/** An advice: the corridor that it agrees with, its words there, and its words in another, since it is about the speed in a moment. */
 const ADVICE: Readonly<
   Record<LandingAids['advice'], readonly [LandingAids['corridor'], same: string, other: string]>
 > = {
@@ -112,7 +112,7 @@ const ADVICE: Readonly<
   none: ['none', '', ''],
 };
 
-/** Cosine of the tilt past which the engine pushes more sideways than up: it is no time for thrust. */
+/** Cosine of the tilt past which the engine pushes more sideways than up: more thrust would not help. */
 const MIN_UPRIGHT = 0.5;
 
 function isUpright({ attitude, position }: ShipView): boolean {

@@ -20,7 +20,7 @@ const CORRECTIONS = [
 
 /** Seconds across the strip. */
 const SPAN = 20;
-/** Most marks of one kind in one look: after a long absence the counters have grown by thousands. */
+/** Most new marks of one kind per update: after a long absence the counters have grown by thousands. */
 const MAX_MARKS = 50;
 
 interface Mark {
@@ -46,7 +46,7 @@ export function createNetStrip(host: Element): NetStrip {
   const counts = append(legend, 'span');
   const corrections = append(legend, 'span');
   const context = canvas.getContext('2d');
-  // Its size is observed, not queried: a query within a frame would force a layout.
+  // The size is observed: a query within a frame would force a layout.
   new ResizeObserver(() => {
     canvas.width = canvas.clientWidth;
     canvas.height = canvas.clientHeight;

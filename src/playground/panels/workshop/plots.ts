@@ -13,12 +13,12 @@ const PLOTS: readonly PlotKind[] = [
 interface PlotKind {
   readonly title: string;
   readonly gauges: readonly GaugeName[];
-  /** Always on the axis, and how far from it the axis reaches at least. */
+  /** A value that is always on the axis, and how far the axis reaches from it at least. */
   readonly base: number;
   readonly least: number;
 }
 
-/** The axis of a plot: errors of zero do not stand on an axis to 100. */
+/** The axis of a plot: without a range, errors of zero would get an axis to 100. */
 export function axisRange({ base, least }: Pick<PlotKind, 'base' | 'least'>, low: number, high: number) {
   const top = Math.max(Number.isFinite(high) ? high : base, base + least);
   const bottom = Math.min(Number.isFinite(low) ? low : base, base);
@@ -101,7 +101,7 @@ function createPlot(Plot: typeof Plotting, holder: Element, kind: PlotKind): Set
   };
 }
 
-/** Errors are millimetres and less: a tick must not read 0 for each of them. */
+/** Errors are millimetres and less: ticks need digits enough to differ. */
 function tickText(value: number): string {
   return value === 0 || Math.abs(value) >= 0.001
     ? String(Number(value.toPrecision(4)))

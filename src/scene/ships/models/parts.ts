@@ -7,7 +7,7 @@ export interface Finish {
   readonly colour: readonly [number, number, number];
   readonly roughness: number;
   readonly metalness: number;
-  /** Light of its own, as a share of its colour. */
+  /** Emitted light, as a share of its colour. */
   readonly glow?: number;
 }
 
@@ -29,17 +29,17 @@ export const FINISHES = {
   starboard: { colour: [0.03, 1, 0.15], roughness: 0.5, metalness: 0, glow: 3 },
 } as const satisfies Record<string, Finish>;
 
-/** Where a part stands in body axes (m; +Z up): its own z axis is turned to `along`, then it is shifted to `at`. */
+/** A part's place in body axes (m; +Z up): its z axis is turned to `along`, then it is shifted to `at`. */
 export interface Placement {
   readonly at: readonly [number, number, number];
   readonly along?: readonly [number, number, number];
-  /** rad about its own z before that. */
+  /** rad about its z axis, before that. */
   readonly spin?: number;
   readonly scale?: readonly [number, number, number];
   readonly flex?: Flex;
 }
 
-/** How a part follows foot `leg` upward when the leg takes up a touch: the share at the part's low and high end of its own z. */
+/** How a part follows foot `leg` upward when the leg takes up a touch: the share at the low and the high end of the part's z axis. */
 export interface Flex {
   readonly leg: number;
   readonly low: number;
@@ -49,7 +49,7 @@ export interface Flex {
 /** A model's geometries: full, and with decreasing detail for distant ships. */
 export interface ShipGeometries {
   readonly geometry: BufferGeometry;
-  /** Made when first asked for: most flights never show a ship from far away. */
+  /** Made on first use: most flights never show a ship from far away. */
   readonly coarser: () => readonly BufferGeometry[];
 }
 
@@ -97,7 +97,7 @@ function coarsened(parts: readonly Part[], coarseness: Coarseness): Part[] {
   });
 }
 
-/** Attributes of all corners, three to a triangle; two numbers of each in `flexes`, three in the others. */
+/** Attributes of all corners, three per triangle: two numbers per corner in `flexes`, three in the others. */
 interface Corners {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
@@ -208,7 +208,7 @@ function sphereAround(parts: readonly Numbers[]): Sphere {
   return new Sphere(new Vector3(x, y, z), Math.sqrt(farthest));
 }
 
-/** The leg's share of each vertex, linear along the part's own z. */
+/** The leg's share of each vertex, linear along the part's z axis. */
 function flexShares(position: BufferAttribute, { low, high }: Flex): Float64Array {
   const along = Float64Array.from({ length: position.count }, (_, n) => position.getZ(n));
   const [from, to] = [Math.min(...along), Math.max(...along)];

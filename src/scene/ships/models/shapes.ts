@@ -11,7 +11,7 @@ import {
 import { cellNoise } from '../../ground/noise';
 import type { Finish, Flex, Parts } from './parts';
 
-/** Geometries whose axis is z, m. Three's own stand along y. */
+/** Geometries along z, m; those of three are along y. */
 
 export function box(x: number, y: number, z: number): BufferGeometry {
   return new BoxGeometry(x, y, z);
@@ -36,7 +36,7 @@ export function turned(profile: readonly (readonly [number, number])[], sides = 
   return new LatheGeometry(points, sides).rotateX(Math.PI / 2);
 }
 
-/** An engine bell whose throat is at z = 0 and whose mouth of `radius` is at z = −length. */
+/** An engine bell: its throat at z = 0, its mouth of `radius` at z = −length. */
 export function bell(radius: number, length: number): BufferGeometry {
   const outside: [number, number][] = [];
   for (let n = 0; n <= 8; n++) {

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { createSchedule, endOfTick, passBoundary } from '../../src/authority/time/schedule';
 
-it('knows when the last 128 tick boundaries were due, and extrapolates at the tick rate before and after', () => {
+it('keeps the due times of the last 128 tick boundaries, and extrapolates at the tick rate before and after', () => {
   const schedule = createSchedule(10);
   // Half a second apart, each a little later than that.
   for (let boundary = 10; boundary <= 200; boundary++) passBoundary(schedule, boundary, 0.51 * boundary);

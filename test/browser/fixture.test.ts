@@ -69,7 +69,7 @@ describeInBrowser('the browser test fixture', () => {
     expect(problemsOf(page).join('\n')).toMatch(/404/);
   });
 
-  it('serves its own folder only', () => {
+  it('serves only its folder', () => {
     expect(fileFor(folder, '/games/touchdown/')).toBe(join(folder, 'index.html'));
     expect(fileFor(folder, '/games/touchdown/../../../../../../etc/passwd')).toBeNull();
     expect(fileFor(folder, '/index.html')).toBeNull();

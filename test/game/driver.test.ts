@@ -39,7 +39,7 @@ it('sends no messages of the caller between the opening of the socket and the we
   expect(sent).toEqual(['auth', 'inputs']);
 });
 
-it('sends nothing, and says so, on a socket that is closing', () => {
+it('sends nothing on a closing socket, and reports it', () => {
   const { driver, sent, socket } = openedDriver();
   driver.dispatch({ kind: 'welcome' });
   Object.assign(socket, { readyState: 2 });

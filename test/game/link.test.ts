@@ -123,7 +123,7 @@ describe('a link', () => {
     expect(words(state, 6.3)).toBe('');
   });
 
-  it('does not reconnect by itself after a refusal, and does when asked', () => {
+  it('reconnects after a refusal only on request', () => {
     const auth = play([...OPENED], [0.3, closed(4001, 'Unauthorized')]);
     expect(auth.state).toMatchObject({ phase: 'refused', ended: { cause: 'auth' } });
     expect(dueAt(auth.state)).toBe(Infinity);

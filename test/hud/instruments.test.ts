@@ -134,7 +134,7 @@ describe('the gates', () => {
     expect(text('td-gates')).toBe('');
   });
 
-  it('are a table whose headings say what they head', () => {
+  it('are a table with headings for its columns and rows', () => {
     const { root } = createLandingHud();
     const scopes = all(one(root, 'td-gates'), 'th').map(
       (head) => (head as unknown as { scope: string }).scope,

@@ -31,7 +31,7 @@ describe('the status', () => {
     ]);
   });
 
-  it('names a prediction that was retracted, until it is none any more', () => {
+  it('names a retracted prediction while the readout has one', () => {
     const { show, text } = createLandingHud();
     const shown = (['', 'landed', ''] as const).map((withdrawn) => {
       show({ withdrawn });
@@ -206,7 +206,7 @@ it.each([
   expect(attributes('td-descent', 'data-shown')).toEqual(['shown' in change ? 'false' : 'true']);
 });
 
-it('the touchdown card says how it went, only with a touchdown of the status shown', () => {
+it('the touchdown card shows the outcome, only for a touchdown of the status shown', () => {
   const { show, text } = createLandingHud();
   const touchdown = {
     ...{ verticalSpeed: 12.3, horizontalSpeed: 4.9, bounces: 1 },

@@ -106,7 +106,7 @@ it.each([
   expect(found()).toEqual(codes);
 });
 
-it('a HUD that was disposed is disposed once, paints no more and says so once', () => {
+it('a HUD is disposed once; after that it paints nothing and warns once', () => {
   let disposed = 0;
   const warnings: string[] = [];
   const painted: unknown[] = [];

@@ -4,7 +4,7 @@ import { scriptUrl } from '../../src/playground/scriptUrl';
 
 afterEach(() => vi.unstubAllGlobals());
 
-it('a program’s address is itself where nothing is required, else by one policy, of this page alone', () => {
+it('a program’s address is plain where no policy is required, else made by the one policy of this page', () => {
   const made: string[] = [];
   vi.stubGlobal('location', new URL('https://game.example/touchdown/?scenario=settle'));
   expect(scriptUrl('https://elsewhere.example/a.js')).toBe('https://elsewhere.example/a.js');

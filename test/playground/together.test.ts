@@ -127,7 +127,7 @@ describe('two tabs on one world', () => {
     connection.dispose();
   });
 
-  it('begin the scenario for a guest when it comes: the engine hovers until the guest flies', async () => {
+  it('begin the scenario for a guest when it joins: the engine hovers until the guest flies', async () => {
     vi.useFakeTimers();
     const channelOf = createRoom();
     vi.stubGlobal('BroadcastChannel', function () {
@@ -175,7 +175,7 @@ describe('two tabs on one world', () => {
     live.dispose();
   });
 
-  it('fly a plan from the tick at which the guest came', () => {
+  it('fly a plan from the tick at which the guest joined', () => {
     const session = createSession();
     expect(session.operate({ ...LOAD, scenario: 'launch' }, 0)).toBeNull();
     const runTo = (end: number, from: number) => {

@@ -68,7 +68,7 @@ it.each(['', 'contact', 'landed', 'tipped'] as const)(
   },
 );
 
-it('a readout whose ship is gone has the numbers of none', () => {
+it('a readout after its ship has disappeared is that without a ship', () => {
   const flying = makeView({ clearance: 30, up: -2, east: 3, tilt: 20, leanTo: 40 });
   const gone = makeView({ clearance: 30 }, { crashed: true, shownState: 'crashed' });
   const aids = createLandingAids();

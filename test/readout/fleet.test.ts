@@ -31,7 +31,7 @@ describe('updateFleetReadout', () => {
     expect(out.counts).toEqual({ tipped: 2, contact: 1, crashed: 1, flight: 2, landed: 2, none: 0 });
   });
 
-  it('gives each ship’s row its name, and how it is known', () => {
+  it('gives each ship’s row its name and provenance', () => {
     const view = fleet(['']);
     const given = { name: 'Heron', own: true, provenance: 'predicted', withdrawn: 'landed' } as const;
     const ships = [{ ...view.ships[0]!, ...given }];

@@ -34,11 +34,11 @@ describe('status', () => {
     expect(hop.descent.feetHeight).toBeCloseTo(0.8, 6);
   });
 
-  it('does not say CRASHED before the server does', () => {
+  it('shows CRASHED only once the server has confirmed it', () => {
     expect(read({}, { crashed: true, shownState: '' }).status).toBe('flight');
   });
 
-  it('says NO DATA before there is a ship', () => {
+  it('shows NO DATA before there is a ship', () => {
     const out = createLandingReadout();
     updateLandingReadout(out, makeView({ state: 'contact', tilt: 20 }));
     for (const view of [
@@ -94,7 +94,7 @@ describe('provenance', () => {
     expect(off.descent.verticalSpeed).toBeCloseTo(5, 6);
   });
 
-  it('says when a predicted state was withdrawn', () => {
+  it('reports a withdrawn prediction', () => {
     expect(withdrawnText(read({}, { withdrawn: 'landed' }).withdrawn)).toBe('LANDED withdrawn');
     expect(withdrawnText(read({}).withdrawn)).toBe('');
   });

@@ -67,7 +67,7 @@ describe('loopback link', () => {
     expect(lastInput!.margin).toBeCloseTo(-0.001, 9);
   });
 
-  it('says when the next event is due, and nothing happens before', () => {
+  it('returns when the next event is due, and nothing happens before', () => {
     const exchange = moonExchange('opening', 'broadband');
     const client = listen(exchange);
     for (let i = 0; i < 20; i++) {
@@ -93,7 +93,7 @@ describe('loopback link', () => {
     expect(ticks(client.entries)).toEqual([0, 1, 2, 7, 8]);
   });
 
-  it('neither ticks nor answers while frozen, and then reads what came meanwhile', () => {
+  it('neither ticks nor answers while frozen, and afterwards reads what arrived meanwhile', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.runTo(102.5);

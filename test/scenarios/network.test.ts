@@ -108,7 +108,7 @@ describe('a link', () => {
     expect(link.counters).toMatchObject({ sent: 500, lost: 0, reordered: 0, duplicated: 0 });
   });
 
-  it('delivers nothing early, and says when the next packet is due', () => {
+  it('delivers nothing early, and returns when the next packet is due', () => {
     const link = createLink(NETWORK_PRESETS.satellite, 1);
     expect(link.nextAt()).toBeNull();
     link.send(Uint8Array.of(1), 10);

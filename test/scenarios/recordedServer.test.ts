@@ -98,7 +98,7 @@ describe('a recorded server', () => {
     expect(agrees(valueOf(compareRecording(overNewSettings(0.3, 0.5, true))))).toBe(false);
   });
 
-  it('that restarts its tick count no longer knows earlier inputs', () => {
+  it('that restarts its tick count has no earlier inputs', () => {
     const exchange = moonExchange('opening', 'lan');
     const before = listen(exchange);
     before.say(
@@ -113,7 +113,7 @@ describe('a recorded server', () => {
     expect(comparison).toMatchObject({ statesCompared: 10, unknownInputs: 0, outOfTolerance: null });
   });
 
-  it('that continues over a lost connection still knows them', () => {
+  it('that continues after a lost connection still has them', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.say(
@@ -129,7 +129,7 @@ describe('a recorded server', () => {
     expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
   });
 
-  it('like today’s game cannot be compared, and the report says so', () => {
+  it('like today’s game is reported as not comparable', () => {
     const client = listen(moonExchange('opening', 'lan', 1, true));
     client.runTo(105);
     expect(compareRecording(recordingOf(client))).toEqual({

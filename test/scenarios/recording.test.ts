@@ -79,7 +79,7 @@ describe('a recording', () => {
     );
   });
 
-  it('carries any bytes in base64, and accepts nothing else for it', () => {
+  it('encodes any bytes as base64, and accepts only base64', () => {
     const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
     for (let length = 0; length < 256; length++)
       expect(fromBase64(toBase64(bytes.subarray(0, length)))).toEqual(bytes.slice(0, length));

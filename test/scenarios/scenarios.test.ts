@@ -219,7 +219,7 @@ const input = (tick: number, substep: number, thrustLevel: number): ScheduledInp
 });
 
 describe('scheduled inputs', () => {
-  it('come into force once each, at their own substep', () => {
+  it('act once each, at their own substep', () => {
     const schedule = scheduleOf([input(0, 1, 0.1), input(1, 0, 0.2)]);
     const seen = [0, 1].flatMap((tick) => [0, 1, 2].map((s) => schedule(tick, s)?.thrustLevel ?? null));
     expect(seen).toEqual([null, 0.1, null, 0.2, null, null]);

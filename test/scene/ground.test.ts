@@ -116,7 +116,7 @@ describe('drawn ground', () => {
     expect(calls).toBe((CELLS + 3) * (CELLS + 3) - (CELLS / 2 + 1) * (CELLS / 2 + 1));
   });
 
-  it('meets the coarser level without a crack, and leaves out exactly what the finer covers', () => {
+  it('joins the coarser level without a crack, and leaves out exactly what the finer covers', () => {
     const frame = frameAt(3000);
     const fine = levelAt(0.8, 37, 11, frame);
     const coarse = levelAt(1.6, 37, 11, frame);

@@ -37,7 +37,7 @@ describe('a lean shader', () => {
     ).toBe(lines('#if defined( B )', 'b;', '#else', 'c;', '#endif'));
   });
 
-  it('leaves out what stands inside, and no more', () => {
+  it('leaves out the branches inside, and no others', () => {
     const inside = ['#ifdef USE_MAP', 'a;', '#elif B', 'b;', '#else', 'c;', '#endif'];
     expect(leanShader(lines('#ifdef USE_FOG', ...inside, 'd;', '#endif', 'e;'))).toBe('e;');
     expect(leanShader(lines('#ifdef USE_MAP', '#ifdef USE_FOG', 'a;', '#endif', 'b;', '#endif'))).toBe(

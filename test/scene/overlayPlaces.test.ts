@@ -126,7 +126,7 @@ describe('overlays', () => {
     },
   );
 
-  it('draws thrust, weight, and what of it the ground carries, per kilogram', () => {
+  it('draws thrust, weight and the force of the ground, per kilogram', () => {
     const forces = (state: '' | 'landed', lift: number) => {
       const view = viewOf({ clearance: 0, state, lift });
       const { up, thrust, weight, support } = laidOver(view, view.own);

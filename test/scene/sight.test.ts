@@ -125,7 +125,7 @@ function nearestToCentre(level: TerrainLevel, eye: Float64Array, radius: number)
 }
 
 describe('view cone', () => {
-  it('meets every circle of which a point is in the picture', () => {
+  it('intersects every circle that is partly in the picture', () => {
     const rng = createRandom(3);
     const point = new Vector3();
     let outside = 0;

@@ -29,7 +29,7 @@ it('reads events beside ships and bodies that are invalid: it does not open thos
   );
 });
 
-it('decodes the whole message, and knows a frame from other messages', () => {
+it('decodes the whole message, and distinguishes a frame from other messages', () => {
   for (const message of [FRAME, HELLO]) {
     const pending = pendingServerMessage(encodeServerMessage(message));
     expect(pending.isFrame).toBe(message === FRAME);

@@ -41,11 +41,11 @@ it('preserves a hello, pings and pongs', () => {
   }
 });
 
-it('carries the game’s own ship classes and bodies', () => {
+it('contains the game’s ship classes and bodies', () => {
   expectBack({ ...HELLO, shipClasses: SHIP_CLASSES, bodies: BODIES });
 });
 
-it('carries empty frames and a frame without an acknowledgement', () => {
+it('transfers empty frames and a frame without an acknowledgement', () => {
   expectBack({ ...FRAME, bodies: [], ships: [], events: [], lastInput: null });
   const nothing = { kind: 'inputs', inputs: [] } as const;
   expect(decodeClientMessage(encodeClientMessage(nothing))).toEqual({ ok: true, value: nothing });

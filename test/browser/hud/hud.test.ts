@@ -82,7 +82,7 @@ describeInBrowser('the landing HUD', () => {
     expect(await largest('tipped')).toBe('89.6°');
   });
 
-  it('prints a dash for every number when no state has come for two ticks', async () => {
+  it('prints a dash for every number when no state has arrived for two ticks', async () => {
     await show('contact', 'stale');
     expect(await page.locator('.td-descent').innerText()).toBe('VSPD\n--\nHSPD\n--\nTTI\n--\nAGL\n--');
     expect(await page.textContent('.td-tilt-value')).toBe('--');
@@ -152,7 +152,7 @@ describeInBrowser('the landing HUD', () => {
     expect(seen).toEqual(['none: ', 'steady: 24.5° to tip', ...past, 'none: ']);
   });
 
-  it('says when a ship cannot be righted', async () => {
+  it('reports that a ship cannot be righted', async () => {
     await show('stuck');
     expect(await page.locator('.td-verdict').innerText()).toContain('cannot be righted here');
     expect(await page.locator('.td-hold:visible').count()).toBe(0);

@@ -105,7 +105,7 @@ describeInBrowser('on the built page', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('sound is off until asked for, and the mute key and the button switch it on and off', async () => {
+  it('sound is off at first; its key and its button switch it on and off', async () => {
     const states = () =>
       page.evaluate(() => (window as unknown as SoundWindow).contexts.map(({ state }) => state));
     await page.keyboard.press('z');

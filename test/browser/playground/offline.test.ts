@@ -112,7 +112,7 @@ describeInBrowser('the built page without its host', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('runs where the browser stores nothing, and says what it cannot fetch', async () => {
+  it('runs where the browser stores nothing, and names what it cannot fetch', async () => {
     const server = await deploy();
     const page = await openUrl(`${server.url}?scenario=settle&slow=4`, SMALL);
     await page.waitForSelector('html[data-status=landed]');

@@ -70,7 +70,7 @@ describeInBrowser('the built page with a ship at rest', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('shows the same flight without prediction, also to a ship at rest, until it is asked again', async () => {
+  it('repeats the flight without prediction, also for a ship at rest, until the button is pressed again', async () => {
     await page.getByLabel('Speed').selectOption('0.25');
     const compare = page.getByRole('button', { name: 'See the same without prediction' });
     expect(await compare.getAttribute('aria-pressed')).toBe('false');

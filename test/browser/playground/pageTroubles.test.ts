@@ -41,19 +41,19 @@ describeInBrowser('the built page of a link with invalid values', () => {
   });
   afterAll(() => page.context().close());
 
-  it('says that it builds the ground until there is a picture', async () => {
+  it('reports that it builds the ground until there is a picture', async () => {
     const said = await page.evaluate(() => (window as unknown as { said: string[] }).said);
     expect(said).toEqual(['Loading …', 'Building the ground …', '']);
   });
 
-  it('says which values are invalid', async () => {
+  it('names the invalid values', async () => {
     await page.waitForSelector('#notice:not([hidden])');
     const words = (await page.textContent('#notice')) ?? '';
     expect(words).toContain('rate: expected a number from 0.1 to 100');
     expect(words).toContain('body: expected one of Luna, Earth, Mars, Phobos');
   });
 
-  it('says why a file is not a recording, and what a recording is', async () => {
+  it('explains why a file is not a recording, and what a recording is', async () => {
     const file = {
       name: 'poem.jsonl',
       mimeType: 'text/plain',
@@ -65,14 +65,14 @@ describeInBrowser('the built page of a link with invalid values', () => {
 });
 
 describeInBrowser('the built page, when something is wrong', () => {
-  it('says which server cannot be reached', async () => {
+  it('names the server that cannot be reached', async () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
     await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');
     // Displays without numbers are not shown.
     expect(await panelsOn(page)).toEqual(['panel']);
   });
 
-  it('says that its own server cannot be started, and what to do', async () => {
+  it('reports that the built-in server cannot be started, and what to do', async () => {
     const page = await openBuiltPage('?scenario=settle', without(/worker-[\w-]+\.js$/));
     await untilBanner(
       page,
@@ -81,13 +81,13 @@ describeInBrowser('the built page, when something is wrong', () => {
     );
   });
 
-  it('says that a part of it could not be fetched', async () => {
+  it('reports that a part of it could not be fetched', async () => {
     const page = await openBuiltPage('', without(/page-[\w-]+\.js$/));
     await untilBanner(page, 'did not load');
     expect(await panelsOn(page)).toEqual([]);
   });
 
-  it('says that the picture was lost, and restores it', async () => {
+  it('reports that the picture was lost, and restores it', async () => {
     const page = await openBuiltPage('?scenario=settle&slow=4', {
       ...SMALL,
       drawn: true,

@@ -72,7 +72,7 @@ describe('a scenario with planned inputs', () => {
 });
 
 describe('a display that draws nothing for seconds', () => {
-  it('counts no correction of a landed ship whose planned launch came and went meanwhile', () => {
+  it('counts no correction of a landed ship whose planned launch passed meanwhile', () => {
     const { live, play } = open({ scenario: 'launch', network: 'lan' });
     // Frames and messages arrive, as in a tab that is building its first picture.
     vi.advanceTimersByTime(3300);
@@ -221,7 +221,7 @@ it('hands the recording each frame’s own bytes', () => {
     expect(entry).toMatchObject({ message: valueOf(decodeServerMessage(sent.get(entry)!)) });
 });
 
-it('a page that is hidden holds no key when it comes back', () => {
+it('a page that was hidden holds no key when it returns', () => {
   const { live, play } = open({ scenario: 'first-landing' });
   play(30, 1);
   live.flightControls.press('throttleUp');

@@ -65,7 +65,7 @@ describe('the autopilot', () => {
     expect(own!.impactSpeed).toBeLessThan(2);
   });
 
-  it('disengages after a touch that is hard enough to bounce, and says how hard it was', () => {
+  it('disengages after a touch that is hard enough to bounce, and names its speed', () => {
     const { live, play } = open({ scenario: 'bounce', network: 'broadband' });
     // 20 m up at 24 m/s: too late to brake.
     play(60, 0.5);

@@ -100,7 +100,7 @@ describe('the operator', () => {
     expect(does('drag')).toEqual(['press "drag" false', 'flash "Dragging turns the camera again."']);
   });
 
-  it('does nothing on a real server’s time or while a recording plays, and says so', () => {
+  it('does nothing on a real server’s time or while a recording plays, and reports why', () => {
     const remote = createOperator({ server: 'ws://game' });
     const refused = ['flash "Only available with the built-in server."'];
     expect([remote.does('pause'), remote.does('stepSubstep')]).toEqual([refused, refused]);

@@ -34,7 +34,7 @@ describe('the hash of a run', () => {
     expect([hash.text().split(':')[0], hash.ended()]).toEqual(['7', true]);
   });
 
-  it('asks for no state where there is no scenario to hash', () => {
+  it('needs no state if there is no scenario to hash', () => {
     const hash = createRunHash();
     hash.begin(-1);
     expect([hash.text(), hash.ended()]).toEqual(['', true]);

@@ -37,7 +37,7 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     }
   });
 
-  it('is told about the speed what the display says, and otherwise what to do', () => {
+  it('is advised in the display’s words about the speed, and otherwise about what to do', () => {
     const told = (advice: LandingAids['advice'], corridor: LandingAids['corridor']) =>
       adviceText({ ...createLandingAids(), advice, corridor }, makeView(), device, cap)
         .split(/[:{]/)[0]!
@@ -49,7 +49,7 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     expect(told('none', 'good')).toBe('');
   });
 
-  it('is told that the tank is empty, and how to begin again', () => {
+  it('learns that the tank is empty, and how to begin again', () => {
     const view = makeView({ clearance: 20 }, { fuel: 0, shownState: '' });
     const text = adviceText({ ...createLandingAids(), advice: 'more' }, view, device, cap);
     expect(text).toMatch(
@@ -57,7 +57,7 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     );
   });
 
-  it('is told to turn upright first, until the ship turns by itself or the engine pushes more up than sideways', () => {
+  it('is advised to turn upright first, until the ship turns by itself or the engine pushes more up than sideways', () => {
     const told = (tilt: number, shownState = '', attitudeMode = 'none') => {
       const { own } = makeView();
       const controls = { ...own.controls, attitudeMode: attitudeMode as 'none' };

@@ -34,7 +34,7 @@ const neverAnswers: typeof fetch = (_, init) =>
     signal?.addEventListener('abort', () => reject(new DOMException('given up', 'AbortError')));
   });
 
-it('the stored document comes within 3 s when the host accepts and never answers', async () => {
+it('the stored document is shown within 3 s when the host accepts and never answers', async () => {
   const limits = endLimitsAtOnce();
   vi.stubGlobal('fetch', neverAnswers);
   const answer = await openDocument(new Request(ADDRESS), ADDRESS, build);
@@ -43,7 +43,7 @@ it('the stored document comes within 3 s when the host accepts and never answers
   expect(limits[0]).toBeLessThanOrEqual(3000);
 });
 
-it('the stored document comes within 3 s when the host answers with a document, and never together with its script', async () => {
+it('the stored document is shown within 3 s when the host answers with a document, and never together with its script', async () => {
   const limits = endLimitsAtOnce();
   const html = '<script type="module" src="./assets/index-new.js"></script>';
   vi.stubGlobal('fetch', (url: string, init?: RequestInit) =>

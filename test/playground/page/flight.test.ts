@@ -122,7 +122,7 @@ it('replays a recording by buttons and by keys, and returns to the game', async 
   expect(Number(received()) - Number(count)).toBeGreaterThan(1);
 });
 
-it('reads a file that is chosen or dropped, and says why it cannot be played', async () => {
+it('reads a file that is chosen or dropped, and explains why one cannot be played', async () => {
   const page = await openPage('?scenario=settle');
   const { body } = page.document;
   const file = (text: string) => ({ name: 'a.jsonl', size: 10, text: () => Promise.resolve(text) });

@@ -7,7 +7,7 @@ import { openPage } from './openPage';
 
 useGameClock();
 
-it('races the run in a link, and says why another link has none', async () => {
+it('races the run in a link, and explains why another link has none', async () => {
   const run = verifyRun(MISSIONS[0]!, [])!;
   const invited = await openPage(raceQuery(run, 'Ann'));
   await invited.until(() => invited.text('notice').includes('Race Ann: '));

@@ -216,7 +216,7 @@ describe('the game’s own server', () => {
     ]);
   });
 
-  it('that refuses is not retried automatically, and the page says why', async () => {
+  it('that refuses is not retried automatically, and the page names the reason', async () => {
     const { handlers, told, until } = ear();
     sockets.on('connection', (socket) => socket.close(4003, 'Origin not allowed'));
     connection = openServer(`${address()}?token=jwt`, handlers);

@@ -52,7 +52,7 @@ describe('a guest', () => {
     expect(told.slice(-20)).toEqual(Array.from({ length: 20 }, () => 'message'));
   });
 
-  it('that the other tab refuses hears why, and knocks on', () => {
+  it('that the other tab refuses receives the reason, and keeps knocking', () => {
     const { hear, sent, told } = openGuest();
     hear({ kind: 'refused', reason: 'it is full' });
     expect(told.at(-1)).toBe('link The other tab refused: it is full.');

@@ -41,7 +41,7 @@ describe('a value is reported from its bound on', () => {
     expect(fast).toBeCloseTo(10, 6);
   });
 
-  it('an attitude’s order is reported if another order gives no rotation, or lets a landed ship stand', () => {
+  it('an attitude’s order is reported if it gives no rotation, or if another order makes a landed ship upright', () => {
     // [0, 0, 1, 0] is [0, 0, 0, 1] of JSON, which begins with w.
     expect(takenForAnotherOrder()).toEqual({ attitude: ['0010', '1000'], target: ['1000'] });
     const states = ['landed', '', 'contact', 'tipped'].map(

@@ -99,7 +99,7 @@ it('a time scale that contradicts the game time is measured', () => {
   expect(scales[3]).toBeCloseTo(3, 9);
 });
 
-it('a server that starts over has neither the tempo that was measured nor the one sent before', () => {
+it('a restarted server has neither the measured tempo nor the one sent before', () => {
   const measured = sessionAt(TICK);
   for (let k = 1; k < 5; k++) completed(frameAt(TICK + 10 * k, 10, { gameTime: 3 * k }), measured);
   const sent = completed({ ...bare, tickRate: 20, timeScale: 8 }).session;

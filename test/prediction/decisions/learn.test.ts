@@ -117,7 +117,7 @@ describe('a state alone', () => {
     expect(alone('landed', 0.03)).toEqual([]);
   });
 
-  it('in contact above our ground: the ground is there; sinking in it tells nothing', () => {
+  it('in contact above our ground: the ground is there; in contact below it: nothing is learned', () => {
     expect(alone('contact', 0.5, -3)[0]).toBeCloseTo(0.5, 6);
     expect(alone('contact', -0.5, -3)).toEqual([]);
   });

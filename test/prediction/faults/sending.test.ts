@@ -50,7 +50,7 @@ describe('what is sent', () => {
     expect(predictor.view(4 * 3600).diagnosis.pingsDropped).toBeGreaterThan(10_000);
   });
 
-  it('is nothing more, and costs no substep, when advance is called twice per frame', () => {
+  it('is sent once and stepped once when advance is called twice per frame', () => {
     const line = createFaultyLine({ network: NETWORK_PRESETS.broadband, tickRate: 1, seed: 6, hello: true });
     line.run(3);
     line.predictor.takeOutgoing();

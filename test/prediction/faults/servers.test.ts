@@ -197,7 +197,7 @@ describe('which ship the page flies', () => {
     expect(rig.predictor.view(rig.now + 4 / 60)).toMatchObject({ ready: false, connection: 'waiting' });
   });
 
-  it('flies ship-1 when a page that flew ship-2 meets a restarted server', () => {
+  it('flies ship-1 when a page that flew ship-2 connects to a restarted server', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 20, { shipId: 'ship-2' }), 0);
     const now = feed(predictor, range(0, 100), 20, 0, { ships: [STILL, named('ship-2')] });

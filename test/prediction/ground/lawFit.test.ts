@@ -64,7 +64,7 @@ const hover = {
 };
 
 describe('terrain that is not loaded', () => {
-  it('null: the ship is drawn from its states, says so, and is predicted again once the terrain is there', () => {
+  it('null: the ship is drawn from its states and marked as extrapolated, until the terrain is loaded', () => {
     let loaded = false;
     const terrain = (...place: Parameters<typeof hillsTerrain>) => (loaded ? hillsTerrain(...place) : null);
     const rig = createRig({ scenario: 'slide', tickRate: 5, predictor: { terrains: { hills: terrain } } });

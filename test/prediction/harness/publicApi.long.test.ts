@@ -6,7 +6,7 @@ import { breaksOf } from './verdict';
 
 const SEEDS = { first: 1, count: 100 };
 
-it('does what PREDICTION says, whatever server, network and page do', () => {
+it('meets PREDICTION on any server, network and page', () => {
   const broken: string[] = [];
   for (let seed = SEEDS.first; seed < SEEDS.first + SEEDS.count; seed++) {
     try {

@@ -33,7 +33,7 @@ function inForce(
   return row[THRUST_LEVEL]!;
 }
 
-it('a plan ends with the first input that is due, also the part that is still to come', () => {
+it('a plan ends with the first input that is due, including its future inputs', () => {
   const inputs = createInputs([4, 8].map((tick) => ({ tick, substep: 0, controls: thrust(tick / 10) })));
   store(inputs, thrust(1), { tick: 6, substep: 0 }, 0, 0);
   expect([3, 4, 5, 6, 7, 8, 9].map((tick) => inForce(inputs, 0, tick, 0))).toEqual([0, 0.4, 0.4, 1, 1, 1, 1]);

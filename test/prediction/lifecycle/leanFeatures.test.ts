@@ -117,7 +117,7 @@ describe('a lean predictor', () => {
     expect(height([groundedGhost])).toBeGreaterThan(-1.1);
   });
 
-  it('knows the impact of a touch between two states only by replay', () => {
+  it('has the impact of a touch between two states only by replay', () => {
     const [x, y, z] = STILL.relativePosition!;
     const flying = { landedBodyName: '', surfaceContactState: '', relativeVelocity: [0, -4, 0] as const };
     const above = { ...STILL, ...flying, relativePosition: [x, y + 3, z] } as ShipState;

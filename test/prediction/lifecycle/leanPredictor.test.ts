@@ -96,7 +96,7 @@ describe('a lean predictor', () => {
     expect(lacking.view(0).diagnosis.framesRefused).toBe(2);
   });
 
-  it('knows a touchdown only with that feature', () => {
+  it('has a touchdown record only with that feature', () => {
     const features = [touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost];
     expect(differenceOfFlights(lean(features, ofGame), whole(ofGame), ['ping'])).toBe('');
     const knowsOne = (flight: Iterable<Moment>) => {

@@ -153,7 +153,7 @@ describe('a disposed predictor', () => {
   });
 });
 
-it('a predictor in a worker is told when the page disposes of it', () => {
+it('disposing a remote predictor disposes the one in the worker', () => {
   const posted: unknown[] = [];
   const channel: Channel = { postMessage: (message) => posted.push(message), onmessage: null };
   const remote = connectPredictor(channel);

@@ -98,7 +98,7 @@ describe('a ship that is extrapolated on the ground', () => {
       0.01,
     );
 
-  it('moves with the turning ground while it stands', () => {
+  it('moves with the turning ground while it is upright', () => {
     const { place, velocity, state } = moving(0, 0);
     const rate = lengthOf(SPIN);
     const there = rotate(turnAbout(unit(SPIN), rate * 10), PLACE);

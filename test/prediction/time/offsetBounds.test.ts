@@ -79,7 +79,7 @@ describe('an arrival', () => {
     expect(bounds.lower).toBeCloseTo(OFFSET - 0.05, 3);
   });
 
-  it('much earlier than all before it contradicts the bounds', () => {
+  it('far earlier than all before it contradicts the bounds', () => {
     expect(arrive(known(), 50.1, -0.04)).toBe(false);
     const early = known();
     Object.assign(early, { lower: OFFSET - 5 });

@@ -29,7 +29,7 @@ describe('a pong', () => {
     expect(clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
   });
 
-  it('after its tick should have ended shows that the server stands at that end', () => {
+  it('after its tick should have ended shows that the server stopped there', () => {
     expect(answered({ sinceTick: 0.109 }).clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
     const { clock } = answered({ sinceTick: 0.111 });
     expect(clock.stoppedAt).toBeCloseTo(0.1, 9);

@@ -84,7 +84,7 @@ describe('the present', () => {
     expect(advance(clockBehind(0.5, { rate: 1.1 }), 0.2).moved).toBeCloseTo(0.22, 9);
   });
 
-  it('does not move while the caller’s clock stands still or goes back', () => {
+  it('does not move while the caller’s clock stops or goes back', () => {
     expect(advance(clockBehind(0), 0).moved).toBe(0);
     expect(advance(clockBehind(0), -0.01).moved).toBe(0);
   });
@@ -186,7 +186,7 @@ describe('the limit of the present', () => {
     expect(advance(clock, FRAME, { latest: clock.present - 0.05 }).moved).toBe(0);
   });
 
-  it('is the instant at which a stopped server stands, plus the lead', () => {
+  it('is the instant at which the server stopped, plus the lead', () => {
     const clock = clockBehind(0);
     clock.stoppedAt = clock.present - leadOf(clock);
     expect(advance(clock, 0.05).moved).toBe(0);

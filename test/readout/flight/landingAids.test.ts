@@ -97,7 +97,7 @@ describe('landing aids', () => {
     expect(Math.hypot(...moved.map((x, k) => x - out.touchPlace[k]!))).toBeLessThan(0.01);
   });
 
-  it('say when full thrust must begin so that it stops at the ground', () => {
+  it('give the time until full thrust must begin to stop at the ground', () => {
     const { out, view } = settle({ clearance: 200, up: -10 });
     const body = view.bodies[view.own.body]!;
     const mass = view.own.shipClass.dryMass + view.own.fuel;
@@ -161,7 +161,7 @@ describe('landing aids', () => {
       }
   });
 
-  it('give no corridor and no advice to an engine that cannot lift the ship, and ask it to burn at once', () => {
+  it('give no corridor and no advice for an engine that cannot lift the ship, and demand full thrust at once', () => {
     const blank = { corridor: 'none', advice: 'none', aimSpeed: NaN };
     expect(settle({ clearance: 80, up: -1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: 0 });
     expect(settle({ clearance: 80, up: 1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: NaN });
@@ -215,7 +215,7 @@ describe('landing aids', () => {
     ]);
   });
 
-  it('advise more thrust before the ship is too fast, and less only where it hardly comes down', () => {
+  it('advise more thrust before the ship is too fast, and less only where it hardly descends', () => {
     const advice = (pose: Parameters<typeof settle>[0]) => settle(pose).out.advice;
     expect(advice({ clearance: 188, up: -6 })).toBe('hold');
     // In free fall a moment ahead: 5.5 m/s at 4 m are on no corridor, whatever the speed of now.

@@ -133,7 +133,7 @@ describe('the tip margin', () => {
     expect(out.margin.timeToTipped).toBeCloseTo(before - 0.5, 6);
   });
 
-  it('says whether the attitude control holds the ship or is too weak', () => {
+  it('reports whether the attitude control holds the ship or is too weak', () => {
     for (const [shipClass, outlook] of [
       ['planetary_lander', 'holds'],
       ['cargo_hauler', 'tips'],

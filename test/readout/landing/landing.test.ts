@@ -10,7 +10,7 @@ const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
 const MOON_GRAVITY = (6.6743e-11 * 7.342e22) / 1737400 ** 2;
 const LANDER = { h: 4.56, legRadius: 3.42 };
 
-it('the readout names the ship, its body, its state and how it is known; without a ship it has none', () => {
+it('the readout names the ship, its body, its state and its provenance; without a ship it has none', () => {
   const view = makeView(
     { state: 'contact', body: 'Mars' },
     { name: 'Heron', provenance: 'predicted', age: 0.7, withdrawn: 'landed' },
@@ -125,7 +125,7 @@ describe('tilt', () => {
     expect(tilt.noReturn).toBeCloseTo((Math.atan(LANDER.legRadius / LANDER.h) * 180) / Math.PI, 10);
   });
 
-  it('says whether it grows or shrinks', () => {
+  it('has a trend: growing, shrinking or steady', () => {
     expect(read({ tilt: 20, tiltRate: 0.05, leanTo: 130 }).tilt.trend).toBe(1);
     expect(read({ tilt: 20, tiltRate: -0.05, leanTo: 130 }).tilt.trend).toBe(-1);
     expect(read({ tilt: 20, tiltRate: 0.005, leanTo: 130 }).tilt.trend).toBe(0);

@@ -41,7 +41,7 @@ describe('righting help', () => {
     }
   });
 
-  it('stays while its keys bring the ship up, says when to let go, and then gives way to the gates', () => {
+  it('stays while its keys bring the ship up, shows when to let go, and then gives way to the gates', () => {
     const out = read(ON_SIDE);
     const { actions, holdUntil } = out.righting;
     const show = (
@@ -67,7 +67,7 @@ describe('righting help', () => {
     expect(show(20, held).righting.shown).toBe(false);
   });
 
-  it('names an angle that leaves time for a hand: let go at once or a third of a second late, the ship lands', () => {
+  it('names an angle that allows for reaction time: released at once or a third of a second late, the ship lands', () => {
     for (let heading = 0; heading < 360; heading += 45) {
       const pose = { ...ON_SIDE, heading };
       const { righting } = read(pose);
@@ -130,7 +130,7 @@ describe('righting help', () => {
     expect([...counts].sort()).toEqual([1, 2]);
   });
 
-  it('says that the lander cannot be righted on Earth, and that no control helps', () => {
+  it('reports that no control can right the lander on Earth', () => {
     const { righting } = read({ ...ON_SIDE, body: 'Earth' });
     expect(righting).toMatchObject({ possible: false, help: 'none', helpAction: '' });
     expect(righting.torqueNeeded / righting.torqueAvailable).toBeGreaterThan(3);

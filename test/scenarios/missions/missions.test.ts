@@ -137,7 +137,7 @@ describe('a run', () => {
     track: new Float64Array(0),
   };
 
-  it('loses points exactly as its score lines say', () => {
+  it('loses exactly the points on its score lines', () => {
     expect(scoreRun(mission, landedWell).total).toBe(1000);
     expect(scoreRun(mission, { ...landedWell, touchSpeed: 5.5 }).total).toBe(450);
     expect(scoreRun(mission, { ...landedWell, distance: 30 }).total).toBe(750);

@@ -176,7 +176,7 @@ it('refuses more ships than the wire allows, and duplicate ids', () => {
 /** Normalises −0, which JSON does not have. */
 const withoutSign = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
-it('carries every field that protobuf carries', () => {
+it('has every field that protobuf has', () => {
   fc.assert(
     fc.property(frame, (message) => {
       const bytes = decodeServerMessage(encodeServerMessage(message));

@@ -4,7 +4,7 @@ import { FRAME } from '../messages';
 
 const sent = encodeFrameJson(FRAME);
 
-it('refuses a socket’s event, and says where its text is', () => {
+it('refuses a socket’s event, and names the member that has its text', () => {
   const event = new MessageEvent('message', { data: JSON.stringify(sent) });
   for (const decode of [decodeFrameJson, decodeHelloJson])
     expect(decode(event)).toMatchObject({

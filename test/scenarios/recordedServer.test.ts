@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { createAuthority } from '../../src/authority';
+import { SHIP_CLASSES } from '../../src/dynamics';
 import { agrees, compareRecording, type Recording, type RecordingEntry } from '../../src/scenarios';
-import { input, valueOf } from '../authority/moon';
-import { type Client, flown, listen, moonExchange, recordingOf } from './recordedSession';
+import { input, MOON, shipOf, valueOf } from '../authority/moon';
+import { type Client, flown, flownBy, listen, moonExchange, recordingOf } from './recordedSession';
 
 /** Run second by second, since a server that wakes up late skips ticks. */
 function bySeconds(client: Client, until: number): void {
@@ -127,6 +129,28 @@ describe('a recorded server', () => {
     const comparison = valueOf(compareRecording(recordingOf(client)));
     expect(comparison).toMatchObject({ statesCompared: 8, unknownInputs: 0, outOfTolerance: null });
     expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
+  });
+
+  it('is compared at the height of each ship’s centre, or at its class’s where none is sent', () => {
+    const ship = shipOf('settle');
+    const own = SHIP_CLASSES.find(({ name }) => name === ship.shipClass)!.groundContactOffset;
+    const compared = (groundContactOffset: number, sent: number | null) => {
+      const authority = valueOf(createAuthority(MOON));
+      const client = listen(flownBy(authority, { ...ship, groundContactOffset }, 'lan', 1));
+      bySeconds(client, 104.5);
+      const entries = client.entries.map((entry): RecordingEntry => {
+        if (entry.kind !== 'received' || entry.message.kind !== 'frame') return entry;
+        const ships = entry.message.ships.map((state) => ({ ...state, groundContactOffset: sent }));
+        return { ...entry, message: { ...entry.message, ships } };
+      });
+      return valueOf(compareRecording({ ...recordingOf(client), entries }));
+    };
+    for (const [flies, sent] of [
+      [own + 0.2, own + 0.2],
+      [own, null],
+    ] as const)
+      expect(compared(flies, sent)).toMatchObject({ statesCompared: 4, outOfTolerance: null });
+    expect(compared(own + 0.2, null).outOfTolerance).not.toBeNull();
   });
 
   it('like today’s game is reported as not comparable', () => {

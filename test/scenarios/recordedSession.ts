@@ -1,5 +1,5 @@
-import { createAuthority } from '../../src/authority';
-import type { Settings } from '../../src/dynamics';
+import { type Authority, createAuthority } from '../../src/authority';
+import type { Settings, ShipInit } from '../../src/dynamics';
 import {
   createLoopbackLink,
   type LoopbackLink,
@@ -20,7 +20,17 @@ export function moonExchange(
   settings: Partial<Settings> = {},
 ): LoopbackLink {
   const authority = valueOf(createAuthority({ ...MOON, legacy, settings }));
-  const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf(scenario) };
+  return flownBy(authority, shipOf(scenario), preset, seed);
+}
+
+/** A loopback link as of moonExchange, over this world and with this ship. */
+export function flownBy(
+  authority: Authority,
+  ship: ShipInit,
+  preset: NetworkPreset,
+  seed: number,
+): LoopbackLink {
+  const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship };
   const exchange = createLoopbackLink(authority, NETWORK_PRESETS[preset], seed, 100);
   const reason = authority.spawn(order) ?? exchange.connect('ann', 'own', 100);
   if (reason !== null) throw new Error(reason);

@@ -67,7 +67,7 @@ export function upNetworkOf(choices: Choices): NetworkNumbers | undefined {
 /** @param program address of the page's own main module, which the worker runs too; `worker` runs it already, if it is not null */
 export function createLive(program: string, listeners: LiveListeners, worker: Worker | null = null): Live {
   const state = createLiveState(program, listeners, worker);
-  const { clock, flightControls, baseline, runHash } = state;
+  const { clock, flightControls, baseline } = state;
   return {
     clock,
     flightControls,
@@ -93,8 +93,8 @@ export function createLive(program: string, listeners: LiveListeners, worker: Wo
     },
     view: () => state.view,
     isLoading: () => state.isLoading,
-    hash: runHash.text,
-    ended: runHash.ended,
+    hash: () => state.runHash.text(),
+    ended: () => state.runHash.ended(),
     dispose() {
       state.pace.stop();
       state.connection?.dispose();

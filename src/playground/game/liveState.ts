@@ -36,9 +36,9 @@ export interface LiveState {
   readonly clock: PageClock;
   readonly flightControls: FlightControls;
   readonly baseline: Baseline;
-  readonly runHash: RunHash;
   readonly tap: PendingTap;
   readonly pace: Pace;
+  runHash: RunHash;
   predictor: Predictor;
   connection: Connection | null;
   /** Of the present connection; '' is the built-in server. */
@@ -113,7 +113,7 @@ export function forgetWorld(state: LiveState): void {
   state.predictor = newPredictor(script, listeners);
   state.baseline.forget();
   state.flightControls.reset();
-  state.runHash.begin(script?.lastTick ?? -1);
+  state.runHash = createRunHash(script?.lastTick);
   listeners.onWorld(script?.plan ?? []);
 }
 

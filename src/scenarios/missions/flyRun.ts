@@ -27,7 +27,7 @@ import {
   type ScheduledInput,
   type TickRun,
 } from '../runTick';
-import { loadScenario } from '../scenario';
+import { loadScenario, ticksOf } from '../scenario';
 import { cosineOfTilt } from '../tilt';
 import type { Mission } from './mission';
 import { padPlaces } from './pads';
@@ -77,7 +77,7 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
   if (!loaded.ok) return loaded;
   const prepared = startScenario(loaded.value);
   if (!prepared.ok) return prepared;
-  const { timing, scenario } = loaded.value;
+  const { timing } = loaded.value;
   const pads = padPlaces(mission, loaded.value);
   const flight: Flight = {
     ...prepared.value,
@@ -93,7 +93,7 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
   const { ship } = flight;
   const began = ship[FUEL]!;
   const run = flightRun(flight, timing, planUntilFlown(scheduleOf(loaded.value.inputs), scheduleOf(inputs)));
-  const ticks = Math.ceil(scenario.duration / timing.tickSeconds);
+  const ticks = ticksOf(loaded.value);
   for (let tick = 0; tick < ticks; tick++) {
     runTick(flight, tick, run);
     recordPad(flight, pads, mission);

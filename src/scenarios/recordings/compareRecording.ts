@@ -123,7 +123,11 @@ function runInterval(
   }
   const commanded = loadControls(start as Controls);
   if (!commanded.ok) return err(commanded.reason);
-  const given = { ...start, ...comparedOf(start), groundContactOffset: heightOf(start, world) };
+  const given = {
+    ...start,
+    ...comparedOf(start),
+    groundContactOffset: start.groundContactOffset ?? undefined,
+  };
   const reason = writeShip(row, 0, given as ShipInit, world);
   if (reason !== null) return err(reason);
   writeControls(row, 0, commanded.value);
@@ -152,11 +156,6 @@ function worldOf({ hello, frames }: RecordedSession): Result<World> {
     bodies: hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name)),
     terrainHeight: TERRAINS[terrain]!,
   });
-}
-
-/** The ship's own groundContactOffset, or its class's, m. */
-function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
-  return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
 }
 
 const NO_MOMENTUM: Vec3 = [0, 0, 0];

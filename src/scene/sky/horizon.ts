@@ -14,8 +14,8 @@ export function isOverHorizon(
   const { radius, spacing } = level;
   const x = (level.cornerX + CELLS / 2) * spacing;
   const z = (level.cornerZ + CELLS / 2) * spacing;
+  // Negative beside the level, which is then never over the horizon.
   const near = innerCells * spacing - Math.hypot(x - eye[0]!, z - eye[2]!);
-  if (near <= 0) return false;
   const range = Math.hypot(eye[0]!, eye[1]! + radius, eye[2]!);
   const base = radius + lowest;
   const sight = angleTo(base, range) + angleTo(base, radius + level.highest);

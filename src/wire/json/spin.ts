@@ -1,10 +1,9 @@
 import { cosineOfDegrees, type Quat, sineOfDegrees, type Vec3 } from '../../dynamics';
 import { type Fields, numberIn, type Reading, refuse, valueIn } from '../fields/reading';
 import { optionalVectorIn } from '../fields/vectors';
-import type { Bound } from '../limits';
+import { FINITE } from '../limits';
 
-/** Seconds; negative: retrograde. A body turns no faster than once in a tenth of a second. */
-const PERIOD: Bound = { low: -1e15, high: 1e15, unit: 's' };
+/** Seconds: a body turns no faster than once in a tenth of a second. */
 const FASTEST = 0.1;
 
 /** Reads axis and period of a body. */
@@ -24,13 +23,13 @@ interface Spin {
   readonly angularVelocity: Vec3;
 }
 
-/** From axis and period, or null if one of them is absent. */
+/** From axis and period (s; negative: retrograde), or null if one of them is absent. */
 function spinIn(r: Reading, from: Fields, time: number): Spin | null {
   const axisName = valueIn(r, from, 'spin_axis') === undefined ? 'axis' : 'spin_axis';
   const periodName = valueIn(r, from, 'rotation_period') === undefined ? 'period' : 'rotation_period';
-  const axis = optionalVectorIn(r, from, axisName, { low: -2, high: 2, unit: '' });
+  const axis = optionalVectorIn(r, from, axisName, FINITE);
   if (axis === null || valueIn(r, from, periodName) === undefined) return null;
-  const period = numberIn(r, from, periodName, PERIOD);
+  const period = numberIn(r, from, periodName, FINITE);
   const length = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
   if (!(Math.abs(length - 1) <= 1e-3))
     refuse(r, axisName, `expected a unit vector, got one of length ${length}`);

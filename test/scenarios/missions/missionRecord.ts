@@ -13,6 +13,8 @@ const FLOWN = 3;
 
 /** The data that a race link relies on: it carries only inputs, and is invalid if they lead to another flight or score. */
 export interface MissionRecord {
+  /** Longest flight that is scored, s. */
+  readonly duration: number;
   /** Hash of the flight's start without a pilot. */
   readonly start: string;
   /** Body axes, m, to the millimetre. */
@@ -44,5 +46,5 @@ export function recordOf(mission: Mission): MissionRecord {
   const pads = padPlaces(mission, valueOf(loadScenario(mission.scenario))).map((place) =>
     place.map((metres) => Math.round(1000 * metres) / 1000),
   );
-  return { start: hash.toString(16), pads, points };
+  return { duration: mission.scenario.duration, start: hash.toString(16), pads, points };
 }

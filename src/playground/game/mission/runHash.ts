@@ -3,7 +3,6 @@ import type { PartialFrame } from '../../../wire';
 
 /** Tick and bits of the last state of the player's ship that belongs to the scenario: a landed ship continues to turn with the ground. */
 export interface RunHash {
-  readonly begin: (lastTick: number) => void;
   readonly take: (frame: PartialFrame) => void;
   /** `tick:hash`, '' before the first state. */
   readonly text: () => string;
@@ -11,27 +10,21 @@ export interface RunHash {
   readonly ended: () => boolean;
 }
 
-export function createRunHash(): RunHash {
-  let lastTick = -1;
-  let hashedTick = -1;
-  let seenTick = -1;
+/** @param lastTick of the scenario; by default nothing is hashed */
+export function createRunHash(lastTick = -Infinity): RunHash {
+  let hashedTick = -Infinity;
+  let seenTick = -Infinity;
   let text = '';
   return {
-    begin(next) {
-      lastTick = next;
-      hashedTick = -1;
-      seenTick = -1;
-      text = '';
-    },
     take(frame) {
       seenTick = Math.max(seenTick, frame.tick);
       if (frame.tick <= hashedTick || frame.tick > lastTick) return;
       const own = frame.ships.find(({ shipId }) => shipId === 'own');
-      if (own?.relativePosition === undefined || own.relativePosition === null) return;
+      if (!own?.relativePosition || !own.relativeVelocity) return;
       hashedTick = frame.tick;
       const row = Float64Array.of(
         ...own.relativePosition,
-        ...(own.relativeVelocity ?? []),
+        ...own.relativeVelocity,
         ...own.attitude,
         ...own.angularVelocity,
         own.fuel,

@@ -38,8 +38,8 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED));
   if (controls !== null && areControls(session, controls))
     sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
-  if (due > 0) stepFront(sim, target);
-  if (replayed < budget.shipSubsteps) runReplays(sim, budget.shipSubsteps - replayed);
+  stepFront(sim, target);
+  runReplays(sim, budget.shipSubsteps - replayed);
   place(sim, clock.present);
   session.features.announce?.(session);
 }

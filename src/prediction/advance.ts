@@ -10,6 +10,7 @@ import { horizonOf } from './time/cadence';
 import { answersPings, leadOf } from './time/clock';
 import { advanceClock } from './time/present';
 import {
+  createPosition,
   indexOf,
   type Moment,
   type Position,
@@ -87,8 +88,8 @@ export function place(sim: Simulation, present: number): void {
 }
 
 const moment: Moment = { tick: 0, substeps: 0 };
-const located: Position = { tick: 0, substep: 0 };
-const sampling: Position = { tick: 0, substep: 0 };
+const located = createPosition();
+const sampling = createPosition();
 
 /** The first substep boundary at or after the present, never before the newest state nor farther from it than the ring reaches. */
 function locate(sim: Simulation, present: number): Position {

@@ -39,7 +39,9 @@ it('a new readout has no numbers', () => {
     tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
     gates: { shown: false, tilt: { met: false, value: NaN, limit: NaN } },
     descent: { shown: false },
-    righting: { shown: false, torqueAvailable: 0 },
+    age: Infinity,
+    margin: { shown: false, degrees: NaN },
+    righting: { shown: false, torqueAvailable: NaN, torqueNeeded: NaN, fuel: NaN, holdUntil: NaN },
     touchdown: NO_TOUCHDOWN,
     touchdownShown: false,
   });

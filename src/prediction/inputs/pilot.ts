@@ -3,7 +3,7 @@ import { holdsCommand, sameControls } from './command';
 import { isPlanned } from './scheduledInput';
 import { releaseKeys, store } from './inputs';
 import type { Simulation } from '../simulation/simulation';
-import { isBefore } from '../time/timeline';
+import { createPosition, isBefore } from '../time/timeline';
 
 /** The pilot's input device. */
 export interface Pilot {
@@ -56,4 +56,4 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   store(inputs, wanted, stamp, sampling.now, sampling.steer);
 }
 
-const stamp = { tick: 0, substep: 0 };
+const stamp = createPosition();

@@ -3,7 +3,7 @@ import type { Diagnosis } from '../drawn/view';
 import { createInputs, type ScheduledInput } from '../inputs/inputs';
 import { createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import { createCadence } from '../time/cadence';
-import { createTimeline } from '../time/timeline';
+import { createPosition, createTimeline } from '../time/timeline';
 import type { Warn } from '../warnings';
 import { ringLength } from './rings/history';
 import { createRowStep } from './rowStep';
@@ -38,7 +38,7 @@ export function createSimulation(
     fleet: createFleet(),
     steps: { front: createRowStep(), replay: createRowStep() },
     inputs: createInputs(plan),
-    front: { tick: 0, substep: 0 },
+    front: createPosition(),
     frontIsStale: true,
     alpha: 1,
     ringLength: ringLength(1),

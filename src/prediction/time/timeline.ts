@@ -37,6 +37,8 @@ export interface Position {
   substep: number;
 }
 
+export const createPosition = (): Position => ({ tick: 0, substep: 0 });
+
 /** Tempo changes kept: more than a ring of predicted states spans. */
 const MAX_SPANS = 32;
 

@@ -88,7 +88,7 @@ export function createLandingAids(): LandingAids {
       surface: createSurface(),
       clock: createViewClock(),
       projection: createProjection(),
-      startedAt: 0,
+      startedAt: NaN,
       touchAt: NaN,
       touched: new Float64Array(3),
     },

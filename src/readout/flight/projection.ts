@@ -58,8 +58,8 @@ export function createProjection(): Projection {
     events: new Uint8Array(1),
     world: null,
     running: false,
-    elapsed: 0,
-    ground: 0,
+    elapsed: NaN,
+    ground: NaN,
     rise: new Float64Array(3),
   };
 }

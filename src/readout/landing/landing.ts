@@ -77,7 +77,7 @@ function readoutWith(ahead: LookAhead | null): LandingReadout {
   return {
     status: 'none',
     provenance: 'stale',
-    age: 0,
+    age: Infinity,
     timeScale: 1,
     withdrawn: '',
     known: false,

@@ -19,7 +19,7 @@ export interface TipMargin {
 const WORTH_A_LOOK = 0.02;
 
 export function createTipMargin(): TipMargin {
-  return { shown: false, degrees: 0, outlook: 'steady', timeToTipped: NaN };
+  return { shown: false, degrees: NaN, outlook: 'steady', timeToTipped: NaN };
 }
 
 /** From the present lean alone, before anything is simulated ahead. */

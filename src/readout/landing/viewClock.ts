@@ -18,14 +18,16 @@ export interface ViewClock {
 const MAX_CORRECTION = 100;
 
 export function createViewClock(): ViewClock {
-  return { shipId: '', body: -1, now: 0, elapsed: 0, tick: 0, sinceTick: 0, position: new Float64Array(3) };
+  const position = new Float64Array(3);
+  return { shipId: '', body: NaN, now: 0, elapsed: NaN, tick: NaN, sinceTick: NaN, position };
 }
 
 /** Reads the next view; false when the ship is another one or was moved elsewhere. */
 export function followView(out: ViewClock, view: WorldView, ship: ShipView): boolean {
   const ticks = view.tick - out.tick;
+  // NaN at the first view.
   const passed = (ticks * view.timeScale) / view.tickRate + view.sinceTick - out.sinceTick;
-  out.elapsed = out.body < 0 ? 0 : Math.max(0, passed);
+  out.elapsed = passed > 0 ? passed : 0;
   out.now += out.elapsed;
   const same = out.shipId === ship.shipId && out.body === ship.body && inReach(out, ship);
   out.shipId = ship.shipId;

@@ -78,7 +78,8 @@ describe('landing aids', () => {
     const body = { ...fallen.view.bodies[own.body]!, attitude: [0.5, -0.1, 0.7, 0.5] as const };
     const view = { ...fallen.view, bodies: [body] };
     const out = createLandingAids();
-    for (let i = 0; i < 60; i++) updateLandingAids(out, later(view, 0, own));
+    // However long the readout has run.
+    for (const at of [-100, 0]) for (let i = 0; i < 60; i++) updateLandingAids(out, later(view, at, own));
     const rate = Math.hypot(...body.angularVelocity);
     const axis = [...body.angularVelocity].map((w) => w / rate);
     const under = (place: Float64Array) =>

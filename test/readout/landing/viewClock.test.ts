@@ -35,6 +35,25 @@ describe('the readout’s own clock', () => {
       view.own.position[axis]! += metres;
       return followView(clock, view, view.own);
     };
-    expect([99, -99, 101, -101].map(followed)).toEqual([true, true, false, false]);
+    expect([99.99, -99.99, 100.01, -100.01].map(followed)).toEqual([true, true, false, false]);
   });
+
+  it.each([0, 1, 2])(
+    'follows a ship over 100 m more than twice the way of its speed along axis %i',
+    (axis) => {
+      const followed = (speed: number, metres: number) => {
+        const clock = createViewClock();
+        const view = makeView();
+        view.own.velocity.fill(0);
+        followView(clock, view, view.own);
+        view.own.velocity[axis] = speed;
+        view.own.position[axis]! += metres;
+        return followView(clock, Object.assign(view, { tick: view.tick + 3 }), view.own);
+      };
+      const reach = 100 + 2 * 7 * 3;
+      expect([followed(-7, reach - 0.01), followed(-7, reach + 0.01), followed(0, 100.01)]).toEqual([
+        ...[true, false, false],
+      ]);
+    },
+  );
 });

@@ -18,7 +18,7 @@ import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
 import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
-import { isBefore, spanOf, addSubsteps } from '../../time/timeline';
+import { addSubsteps, createPosition, isBefore, spanOf } from '../../time/timeline';
 import { copyRow, type Track } from '../../simulation/track';
 
 /** Sends for which other pilots' controls are held without news. */
@@ -207,4 +207,4 @@ function holdControls(sim: Simulation, track: Track): void {
   track.releaseSubstep = later.substep;
 }
 
-const later = { tick: 0, substep: 0 };
+const later = createPosition();

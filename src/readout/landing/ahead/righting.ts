@@ -59,14 +59,14 @@ export function createRighting(): Righting {
     shown: false,
     release: false,
     actions: [],
-    torqueAvailable: 0,
-    torqueNeeded: 0,
+    torqueAvailable: NaN,
+    torqueNeeded: NaN,
     possible: false,
-    fuel: 0,
+    fuel: NaN,
     outcome: 'working',
     holdSeconds: NaN,
     fuelNeeded: NaN,
-    holdUntil: 0,
+    holdUntil: NaN,
     damped: false,
     help: 'none',
     helpAction: '',
@@ -124,16 +124,13 @@ export function followRighting(
   return true;
 }
 
-/** Level part of s in ship axes below which the ship is upside down, and any axis will do. */
-const UPSIDE_DOWN = 1e-9;
-
-/** The turn that brings `up` back to s is about up × s, which in ship axes has no z. */
+/** The turn that brings `up` back to s is about up × s, which in ship axes has no z. Upside down, any axis will do. */
 function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, ship: ShipView): void {
   const x = -surface.groundInShip[1]!;
   const y = surface.groundInShip[0]!;
   const level = Math.sqrt(x * x + y * y);
-  const shareX = level > UPSIDE_DOWN ? Math.abs(x) / level : 1;
-  const shareY = level > UPSIDE_DOWN ? Math.abs(y) / level : 0;
+  const shareX = level > 0 ? Math.abs(x) / level : 1;
+  const shareY = level > 0 ? Math.abs(y) / level : 0;
   writeAvailableTorque(torque, ship);
   const torqueX = shareX * torque[0]!;
   const torqueY = shareY * torque[1]!;

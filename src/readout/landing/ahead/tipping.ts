@@ -18,7 +18,7 @@ const HORIZON = 30;
 const SUBSTEPS_A_CALL = 200;
 
 export function createTippingMemory(): TippingMemory {
-  return { projection: createProjection(), startedAt: 0, tipsAt: NaN };
+  return { projection: createProjection(), startedAt: NaN, tipsAt: NaN };
 }
 
 /** Simulates ahead of a ship that is not steady. A steady ship costs no substep, nor does a paused game. */

@@ -204,6 +204,10 @@ describe('the landing maneuver', () => {
       expect(refusal({}, { ...SITE, delay })).toMatch(/^delay: /);
   });
 
+  it('refuses an invalid target', () => {
+    expect(refusal({}, { ...SITE, target: [0, Number.NaN, 0] })).toMatch(/^target: /);
+  });
+
   it('refuses terrain without a height', () => {
     expect(refusal({}, { ...SITE, terrainHeight: () => Number.NaN })).toMatch(/^terrainHeight: /);
   });

@@ -1,4 +1,4 @@
-import { type Authority, createAuthority, type SpawnOrder } from '../../src/authority';
+import { type Authority, createAuthority, inverse, rotate, type SpawnOrder } from '../../src/authority';
 import {
   BODIES,
   flatTerrain,
@@ -6,6 +6,7 @@ import {
   SHIP_CLASSES,
   type ShipClass,
   TERRAINS,
+  type Vec3,
 } from '../../src/dynamics';
 import {
   BEGIN_LANDING,
@@ -15,7 +16,7 @@ import {
   type LocalState,
   toBodyRelative,
 } from '../../src/scenarios';
-import type { ShipState } from '../../src/wire';
+import type { BodyState, ShipState } from '../../src/wire';
 
 export interface Flight {
   readonly body: string;
@@ -28,6 +29,10 @@ export interface Flight {
   readonly delay?: number;
   /** The autopilot does not know the delay. */
   readonly ignoresDelay?: boolean;
+  /** Metres east and north of the start to land at; by default below the ship. */
+  readonly target?: readonly [east: number, north: number];
+  /** The ship stands on the ground at the start. */
+  readonly standing?: boolean;
   /** Like the game's own server, which sends ICRF only. */
   readonly legacy?: boolean;
 }
@@ -42,6 +47,8 @@ export interface Flown {
   readonly touches: number;
   /** Game seconds until the maneuver's end. */
   readonly seconds: number;
+  /** m along the ground from the target at the end; NaN without one. */
+  readonly off: number;
 }
 
 export const LANDER_CLASS = SHIP_CLASSES.find((shipClass) => shipClass.name === 'planetary_lander')!;
@@ -67,7 +74,8 @@ export function flyDown(flight: Flight): Flown {
   const joined = authority.join('ann', 'one');
   if (reason !== '' || !joined.ok) throw new Error(reason);
   const terrainHeight = TERRAINS[terrain] ?? flatTerrain;
-  return fly(authority, { body, shipClass, terrainHeight }, flight);
+  const target = flight.target && placeOf(flight, shipClass);
+  return fly(authority, { body, shipClass, terrainHeight, ...(target && { target }) }, flight);
 }
 
 function fly(
@@ -90,8 +98,11 @@ function fly(
     if (!next.ok) throw new Error(next.reason);
     maneuver = next.value;
     if (phases.at(-1) !== maneuver.phase) phases.push(maneuver.phase);
-    if (maneuver.phase === 'complete' || maneuver.phase === 'failed' || tick > 120 * tickRate)
-      return { maneuver, ship, phases, impact, touches, seconds: tick / tickRate };
+    if (maneuver.phase === 'complete' || maneuver.phase === 'failed' || tick > 200 * tickRate)
+      return {
+        ...{ maneuver, ship, phases, impact, touches, seconds: tick / tickRate },
+        off: site.target ? distanceAlong(ship, site.target, frame.bodies[0]!) : NaN,
+      };
     const { controls } = maneuver;
     authority.receive(
       'ann',
@@ -102,7 +113,28 @@ function fly(
   }
 }
 
-function order({ body, initial, terrain = 'flat' }: Flight, shipClass: ShipClass): SpawnOrder {
+/** A place on the ground near the start, m in the body's axes. */
+function placeOf(flight: Flight, shipClass: ShipClass): Vec3 {
+  const body = BODIES.find(({ name }) => name === flight.body)!;
+  const { ship } = order(flight, shipClass, flight.target);
+  return rotate(inverse(body.attitude), ship.relativePosition);
+}
+
+/** m along the ground between a ship and a place in the body's axes. */
+function distanceAlong(ship: ShipState, place: Vec3, body: BodyState): number {
+  const [a, b] = [rotate(inverse(body.attitude), ship.relativePosition!), place];
+  const along = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (Math.hypot(...a) * Math.hypot(...b));
+  return body.radius * Math.sqrt(Math.max(0, 2 - 2 * along));
+}
+
+function order(
+  { body: name, initial, terrain = 'flat', standing = false }: Flight,
+  shipClass: ShipClass,
+  [east, north]: readonly [number, number] = [0, 0],
+): SpawnOrder {
+  const body = BODIES.find((candidate) => candidate.name === name)!;
+  const degree = (Math.PI / 180) * body.radius;
+  const latitude = 20 + north / degree;
   const local: LocalState = {
     height: 200,
     velocity: [0, 0, 0],
@@ -115,12 +147,12 @@ function order({ body, initial, terrain = 'flat' }: Flight, shipClass: ShipClass
   const craft = {
     shipClass,
     fuel: 0.6 * shipClass.fuelCapacity,
-    surfaceContactState: '',
+    surfaceContactState: standing ? 'landed' : '',
     contactImpactSpeed: 0,
   } as const;
   const ground = {
-    body: BODIES.find((candidate) => candidate.name === body)!,
-    site: { latitude: 20, longitude: 30 },
+    body,
+    site: { latitude, longitude: 30 + east / (degree * Math.cos((latitude * Math.PI) / 180)) },
     terrainHeight: TERRAINS[terrain] ?? flatTerrain,
   };
   return { shipId: 'one', playerId: 'ann', name: 'One', ship: toBodyRelative(local, craft, ground) };

@@ -10,6 +10,8 @@ export interface Autopilot {
   /** Why it switched itself off, until it is switched on again; otherwise ''. */
   readonly reason: () => string;
   readonly set: (on: boolean) => void;
+  /** Where it lands, the body's axes; null, as at first: below the ship. */
+  readonly landAt: (target: () => Vec3 | null) => void;
   /** Controls now; a new sample a few times a second, from the predicted state. */
   readonly fly: (view: WorldView, now: number) => Controls;
 }
@@ -29,6 +31,7 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
   let landing: LandingManeuver = BEGIN_LANDING;
   let controls = NEUTRAL_CONTROLS;
   let isBraking = false;
+  let target: () => Vec3 | null = () => null;
   let sampledAt = -Infinity;
   /** Of the view: the time of the call before. */
   let seenAt = -Infinity;
@@ -52,6 +55,7 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       isOn = on;
       begin();
     },
+    landAt: (next) => (target = next),
     fly(view, now) {
       const ship = view.own;
       const body = ship === null ? undefined : view.bodies[ship.body];
@@ -61,7 +65,11 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       if (now - sampledAt < 1 / RATE && now >= sampledAt) return controls;
       const delay = age + sinceOf(sampledAt, now) / 2;
       sampledAt = now;
-      const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay };
+      const place = target();
+      const site = {
+        ...{ body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay },
+        ...(place !== null && { target: place }),
+      };
       const state = stateOf(ship, body.name);
       const braking = state.surfaceContactState === '' ? brakeDrift(isBraking, state, site) : null;
       const burn = braking?.ok === true ? braking.value : null;

@@ -1,4 +1,4 @@
-import { type Controls, NEUTRAL_CONTROLS, ok, type Result } from '../../dynamics';
+import { type Controls, NEUTRAL_CONTROLS, ok, type Result, type Vec3 } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, type LandingSite } from './descent';
 
@@ -23,7 +23,7 @@ const ALIGNED = 0.9;
 export function brakeDrift(isBraking: boolean, ship: ShipState, site: LandingSite): Result<Controls | null> {
   const approach = approachOf(ship, site);
   if (!approach.ok) return approach;
-  const { height, climb, drift, gravity, retrograde } = approach.value;
+  const { height, climb, drift, away, gravity, retrograde } = approach.value;
   const speed = Math.hypot(...drift);
   if (speed < (isBraking ? SLOW : FAST)) return ok(null);
   const thrust = Math.min(site.shipClass.mainEngineThrust / ship.mass, gravity + BRAKING);
@@ -31,10 +31,20 @@ export function brakeDrift(isBraking: boolean, ship: ShipState, site: LandingSit
   // Against the motion the thrust holds the descent at about its present speed.
   const lost = TURNING * gravity * TURNING - climb * (speed / BRAKING + 2 * TURNING);
   if (height < (isBraking ? 0 : lost) + RESERVE) return ok(null);
+  if (!isBraking && away !== null && height > lost + 2 * RESERVE && canWait(speed, drift, away))
+    return ok(null);
   return ok({
     ...NEUTRAL_CONTROLS,
     thrustLevel: retrograde > ALIGNED ? (ship.mass * thrust) / site.shipClass.mainEngineThrust : 0,
     attitudeHold: true,
     attitudeMode: 'surface_retrograde',
   });
+}
+
+/** Whether a ship that flies towards its target at `speed` along the ground would stop before it. */
+function canWait(speed: number, drift: Vec3, away: Vec3): boolean {
+  const distance = Math.hypot(...away);
+  const towards = drift[0] * away[0] + drift[1] * away[1] + drift[2] * away[2];
+  const toStop = speed * TURNING + (speed * speed) / (2 * BRAKING);
+  return distance > toStop && towards > ALIGNED * speed * distance;
 }

@@ -11,6 +11,7 @@ import {
   type Vec3,
 } from '../../dynamics';
 import type { BodyState, ShipState } from '../../wire';
+import { planTravel } from './travel';
 
 /** Where a ship lands. */
 export interface LandingSite {
@@ -24,6 +25,8 @@ export interface LandingSite {
   readonly delay?: number;
   /** m/s: a harder touch fails the landing; by default that of DEFAULT_SETTINGS. */
   readonly bounceSpeed?: number;
+  /** Where to land, relative to the body's centre, m, the body's axes; by default below the ship. */
+  readonly target?: Vec3;
 }
 
 /** A ship relative to the ground below it. SI units; up is local up, speeds are relative to the turning ground. */
@@ -34,6 +37,8 @@ export interface Approach {
   readonly climb: number;
   /** Speed along the ground, body axes, m/s. */
   readonly drift: Vec3;
+  /** Along the ground to the target, body axes, m; null without a target. */
+  readonly away: Vec3 | null;
   /** Cosine of the tilt now or when the controls act, whichever is more upright. */
   readonly upright: number;
   /** Cosine of the angle between thrust and the direction against the motion over the ground; 0 at rest. */
@@ -57,12 +62,15 @@ const MAX_BRAKING = 1;
 const RESPONSE = 0.5;
 /** At tilts past 60° the engine pushes more sideways than up, so it waits until the ship is more upright. */
 const MIN_UPRIGHT = 0.5;
+/** Below its height over the ground it climbs: s⁻¹, and m/s at most. */
+const HOLDING = 0.4;
+const MAX_CLIMB = 4;
 /** Steps in which a ship's rotation is extrapolated. */
 const STEPS = 4;
 
 /** The approach of a ship, or a reason that names the field without a finite value. */
 export function approachOf(ship: ShipState, site: LandingSite): Result<Approach> {
-  const { body, shipClass, terrainHeight, delay = 0 } = site;
+  const { body, shipClass, terrainHeight, delay = 0, target } = site;
   // The game's own server sends ICRF only: at 1 au exact to 15 µm, enough for a pilot.
   const position = ship.relativePosition ?? minus(ship.position, body.position);
   const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
@@ -76,14 +84,17 @@ export function approachOf(ship: ShipState, site: LandingSite): Result<Approach>
   if (!(ship.mass > 0 && ship.mass < Infinity)) return err('mass: expected a finite number > 0 kg');
   if (!(delay >= 0 && delay < Infinity)) return err(`delay: expected ≥ 0 s, got ${delay}`);
   if (!ship.angularVelocity.every(Number.isFinite)) return err('angularVelocity: expected finite numbers');
+  if (target?.every(Number.isFinite) === false) return err('target: expected finite numbers');
   const ground = terrainHeight(body.name, ...rotate(inverse(body.attitude), up));
   if (!Number.isFinite(ground)) return err('terrainHeight: expected a finite number');
   const climb = dot(overGround, up);
   const speed = length(overGround);
+  const alongGround = (v: Vec3) => rotate(inverse(ship.attitude), minus(v, scaled(up, dot(v, up))));
   return ok({
     height: distance - (body.radius + ground + shipClass.groundContactOffset),
     climb,
-    drift: rotate(inverse(ship.attitude), minus(overGround, scaled(up, climb))),
+    drift: alongGround(overGround),
+    away: target === undefined ? null : alongGround(minus(rotate(body.attitude, target), position)),
     upright: Math.max(dot(rotate(ship.attitude, TOP), up), dot(rotate(turned(ship, delay), TOP), up)),
     retrograde: speed > 0 ? -dot(rotate(ship.attitude, TOP), overGround) / speed : 0,
     gravity: (GRAVITATIONAL_CONSTANT * body.mass) / (distance * distance),
@@ -102,27 +113,31 @@ function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat
 
 /**
  * The controls of a vertical descent: upright, thrusters cancelling the drift, and no faster than half of the engine's excess thrust
- * can brake. Where gravity is too weak, the thrusters push the ship down.
+ * can brake. Where gravity is too weak, the thrusters push the ship down. With a target the thrusters carry the ship there first.
  */
 export function descend(approach: Approach, mass: number, shipClass: ShipClass): Controls {
-  const { height, climb, drift, upright, gravity } = approach;
+  const { climb, upright, gravity } = approach;
+  const [rcsX, rcsY, rcsZ] = shipClass.rcsThrust;
+  const travel = planTravel(approach, mass, shipClass);
+  const height = approach.height - travel.hold;
   const reserve = shipClass.mainEngineThrust / mass - gravity;
   const affordable = BRAKING_SHARE * (reserve > 0 ? reserve : 0);
   const braking = affordable < MAX_BRAKING ? affordable : MAX_BRAKING;
   const toBrake = height > LAST_METRES ? height - LAST_METRES : 0;
-  const planned = Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * toBrake);
+  const touch =
+    travel.hold > 0 ? Math.max(-MAX_CLIMB, Math.min(0, HOLDING * (height - LAST_METRES))) : TOUCH_SPEED;
+  const planned = toBrake > 0 ? Math.sqrt(Math.max(touch, 0) ** 2 + 2 * braking * toBrake) : touch;
   const speed = planned < MAX_SPEED ? planned : MAX_SPEED;
   // The planned speed decreases on the way down, except at the cap and in the last metres.
   const onCurve = toBrake > 0 && planned < MAX_SPEED && climb < 0;
   const easing = onCurve ? (braking * -climb) / planned : 0;
   const wanted = gravity + easing + RESPONSE * (-speed - climb);
   const push = upright > MIN_UPRIGHT ? (mass * wanted) / upright : 0;
-  const [rcsX, rcsY, rcsZ] = shipClass.rcsThrust;
   return {
     thrustLevel: share(push > 0 ? push : 0, shipClass.mainEngineThrust),
     translationInput: [
-      share(-RESPONSE * mass * drift[0], rcsX),
-      share(-RESPONSE * mass * drift[1], rcsY),
+      share(-RESPONSE * mass * travel.error[0], rcsX),
+      share(-RESPONSE * mass * travel.error[1], rcsY),
       share(push < 0 ? push : 0, rcsZ),
     ],
     rotationInput: [0, 0, 0],

@@ -1,6 +1,7 @@
 import { ok, type Result, type Controls, DEFAULT_SETTINGS, err, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, descend, type LandingSite } from './descent';
+import { planTravel } from './travel';
 
 /** Phases of a landing; it ends in 'complete' or 'failed'. */
 export type LandingPhase = 'descent' | 'touchdown' | 'complete' | 'failed';
@@ -27,10 +28,13 @@ const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHo
 /** m: the autopilot does not fly hops below this height; even on Earth the ship comes down below the bounce speed. */
 const LOW_HOP = 3;
 
+/** m: a ship that stands where it would be planned higher than this, ten metres from its target, takes off. */
+const BESIDE = 4;
+
 /**
  * The game's maneuver_landing for ships that have legs, a pure step from one ship state to the next: descends, takes contact for
  * the touchdown (engine off, hold), completes on landed, fails with a reason on tipped or crashed. A high
- * bounce is flown like the descent. At 1 Hz the feet touch below 3 m/s from any attitude and spin if `site.delay` is given
+ * bounce is flown like the descent. With `site.target` the ship is carried there first, from the ground too. At 1 Hz the feet touch below 3 m/s from any attitude and spin if `site.delay` is given
  * and the height is enough to turn upright and brake: 200 m over the Moon, Mars and Phobos; over Earth an upside-down
  * lander needs 400 m at 10 Hz, and 600 m at 1 Hz with controls a tick late. With less, or too small a delay, the ship hits the ground: the
  * maneuver fails and gives the crash or the impact speed as its reason. A bounce between two states, or of a server that sends no
@@ -48,6 +52,7 @@ export function continueLanding(
     case 'tipped':
       return ok(failed(`tipped over on ${site.body.name}`));
     case 'landed':
+      if (before.phase === 'descent' && isBeside(ship, site)) return fly(before, ship, site);
       return ok({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
     case 'contact':
       return ok(touchdown(ship, site));
@@ -69,6 +74,12 @@ function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Resul
     return ok(failed(`mainEngineThrust: ${thrust} N cannot hold a weight of ${Math.round(weight)} N`));
   const controls = descend(approach.value, ship.mass, site.shipClass);
   return ok({ phase: 'descent', reason: '', controls });
+}
+
+/** Whether a ship that stands on the ground takes off again to land at the target. */
+function isBeside(ship: ShipState, site: LandingSite): boolean {
+  const approach = approachOf(ship, site);
+  return approach.ok && planTravel(approach.value, ship.mass, site.shipClass).hold > BESIDE;
 }
 
 function touchdown({ contactImpactSpeed }: ShipState, site: LandingSite) {

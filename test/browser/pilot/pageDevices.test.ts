@@ -81,7 +81,7 @@ describeInBrowser('on the built page', () => {
       .toContain('You fly: RT more thrust, LT less, B cut the engine.');
     await expect
       .poll(() => page.locator('.td-modes kbd').allTextContents())
-      .toEqual(['X', '→', '↑', '←', 'Y']);
+      .toEqual(['X', '→', '↑', '←', 'Y', '↓']);
     await button(page, RIGHT_TRIGGER, 1);
     await expect.poll(() => throttleOf(page)).toBeGreaterThan(20);
     await button(page, RIGHT_TRIGGER, 0);

@@ -80,9 +80,16 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
 });
 
 it('modes are labelled with keys as printed, with buttons of a gamepad, and with nothing beside buttons on the screen', () => {
-  const modes = ['rateDamping', 'modeHold', 'modeUpright', 'modeRetrograde', 'autopilot'] as const;
+  const modes = [
+    'rateDamping',
+    'modeHold',
+    'modeUpright',
+    'modeRetrograde',
+    'autopilot',
+    'killRates',
+  ] as const;
   const labels = (device: Device) => modes.map((mode) => modeLabelOf(device, mode, (action) => map[action]));
-  expect(labels('keys')).toEqual(['KeyT', 'KeyC', 'KeyN', 'KeyB', 'KeyY']);
-  expect(labels('gamepad')).toEqual(['X', '→', '↑', '←', 'Y']);
-  expect(labels('thumbs')).toEqual(['', '', '', '', '']);
+  expect(labels('keys')).toEqual(['KeyT', 'KeyC', 'KeyN', 'KeyB', 'KeyY', 'KeyG']);
+  expect(labels('gamepad')).toEqual(['X', '→', '↑', '←', 'Y', '↓']);
+  expect(labels('thumbs')).toEqual(['', '', '', '', '', '']);
 });

@@ -43,6 +43,7 @@ export function wireCockpit(page: Page, parts: Parts): Cockpit {
   const screen = new Float64Array(9);
   const seen = () => page.sceneView?.screenAxes(screen) === true;
   parts.live.flightControls.steerInScreenAxes(() => (seen() ? screen : null));
+  autopilot.landAt(() => parts.game.tracker.pads().find(({ isNext }) => isNext)?.place ?? null);
   const cap = keyCapOf(page, parts);
   const name = (action: Action) => controlName(parts.devices.device(), action, cap);
   const turnKeys: TurnKeys = (actions) => {
@@ -69,7 +70,12 @@ export function wireCockpit(page: Page, parts: Parts): Cockpit {
 }
 
 /** The D-pad's directions, which are too long in words for a list. */
-const ARROWS: Partial<Record<Action, string>> = { modeUpright: '↑', modeRetrograde: '←', modeHold: '→' };
+const ARROWS: Partial<Record<Action, string>> = {
+  modeUpright: '↑',
+  modeRetrograde: '←',
+  modeHold: '→',
+  killRates: '↓',
+};
 
 /** The key of a mode, in short; on a touch screen the button has its name. */
 export function modeLabelOf(device: Device, action: Action, cap: (action: Action) => string): string {

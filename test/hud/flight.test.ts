@@ -106,6 +106,7 @@ it('shows the modes with their keys, on or off in a word', () => {
   expect(attributes('td-modes', 'aria-label')).toEqual(['Attitude modes']);
   expect(rows()).toEqual([
     ...['rateD Damping on', 'Hold off', 'modeU Upright on', 'modeR Retrograde off', 'autop Autopilot off'],
+    'killR Kill rates',
   ]);
   expect(on()).toEqual(['Damping', 'Upright']);
   const seen = (['hold', 'retrograde', 'surface_retrograde', 'prograde'] as const).map((mode) => {

@@ -21,7 +21,7 @@ const MODES: Readonly<Record<string, string>> = {
   retrograde: 'modeRetrograde',
 };
 
-/** Each mode with its key, on or off in a word. */
+/** Each mode with its key, on or off in a word, and the command that stops the rotation. */
 export function createModesPanel(
   parent: Element,
   keyLabel: (key: FlightKey) => string,
@@ -29,7 +29,9 @@ export function createModesPanel(
   const list = append(parent, 'ul', 'td-modes');
   list.setAttribute('aria-label', 'Attitude modes');
   const paints = ROWS.map(([key, word]) => [key, createMode(list, word)] as const);
+  const paintKillRates = createCommand(list, 'Kill rates');
   return (flight, autopilot) => {
+    paintKillRates(keyLabel('killRates'));
     const mode = MODES[flight.mode] ?? '';
     for (const [key, paint] of paints) {
       const isOn =
@@ -41,6 +43,18 @@ export function createModesPanel(
             : mode === key && !autopilot);
       paint(keyLabel(key), isOn);
     }
+  };
+}
+
+/** A command has no state: without a key there is nothing to show. */
+function createCommand(list: Element, word: string): (label: string) => void {
+  const row = append(list, 'li', 'td-mode');
+  const paintCap = showText(append(row, 'kbd'));
+  const paintShown = showPart(row);
+  append(row, 'span', 'td-mode-word', word);
+  return (label) => {
+    paintShown(label !== '');
+    paintCap(label);
   };
 }
 

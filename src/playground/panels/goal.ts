@@ -1,8 +1,10 @@
-import { append } from './elements';
+import { append, appendButton } from './elements';
 
 /** The goal over the picture, and how to fly with the pilot's device. */
 export interface GoalPanel {
   readonly show: (title: string, goal: string) => void;
+  /** What the button beside the title does; null: there is none. */
+  readonly offerSkip: (skip: (() => void) | null) => void;
   /** Pieces of text; those in braces are keys. */
   readonly how: (text: string) => void;
   /** What to do now; '' for nothing. */
@@ -12,14 +14,22 @@ export interface GoalPanel {
 
 export function createGoalPanel(element: HTMLElement): GoalPanel {
   const head = append(element, 'p', 'goal-title');
+  const title = append(head, 'span');
+  let skip: (() => void) | null = null;
+  const skipButton = appendButton(head, 'Skip', () => skip?.());
+  skipButton.hidden = true;
   const goal = append(element, 'p', 'goal-words');
   const how = createKeyedText(append(element, 'p', 'goal-how'));
   const advise = createKeyedText(append(element, 'p', 'goal-advice'));
   return {
-    show(title, words) {
-      head.textContent = title;
+    show(text, words) {
+      title.textContent = text;
       goal.textContent = words;
       element.hidden = false;
+    },
+    offerSkip(next) {
+      skip = next;
+      skipButton.hidden = next === null;
     },
     how,
     advise,

@@ -22,7 +22,7 @@ export const KEY_TEXT: Readonly<Record<Action, string>> = {
   modeHold: 'Hold this attitude',
   modeUpright: 'Upright (radial)',
   modeRetrograde: 'Surface retrograde',
-  killRates: 'Stop turning',
+  killRates: 'Kill rates (stop turning)',
   autopilot: 'Autopilot on or off',
   restart: 'Restart',
   pause: 'Pause or resume',
@@ -48,7 +48,7 @@ export const GAMEPAD_TEXT: readonly (readonly [string, string])[] = [
   ['B', 'Cut the engine'],
   ['X', 'Rate damping'],
   ['Y', 'Autopilot'],
-  ['D-pad up, down', 'Upright, stop turning'],
+  ['D-pad up, down', 'Upright, kill rates'],
   ['D-pad left, right', 'Surface retrograde, hold attitude'],
   ['Back, Start', 'Restart, pause'],
 ];

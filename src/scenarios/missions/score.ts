@@ -79,7 +79,7 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       measured: `${touchSpeed.toFixed(1)} m/s`,
       points: GOAL_PENALTY,
       most: 0,
-      rule: `the goal was to touch down at less than ${mission.touchLimit!} m/s`,
+      rule: `the goal was softer than ${mission.touchLimit!} m/s`,
     });
   const sum = lines.reduce((total, { points }) => total + points, 0);
   return { total: run.outcome === 'landed' ? Math.max(0, sum) : 0, lines };

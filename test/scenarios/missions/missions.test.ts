@@ -10,6 +10,7 @@ import {
   padPlaces,
   readRun,
   type RunInput,
+  type RunOutcome,
   SCENARIOS,
   scoreRun,
   loadScenario,
@@ -56,6 +57,22 @@ describe('missions', () => {
       expect(recordOf(mission)).toEqual((golden as Record<string, unknown>)[name]);
     },
   );
+
+  it('name the touch that they demand in the score as in the goal', () => {
+    const demanding = ALL.filter(({ touchLimit }) => touchLimit !== undefined);
+    expect(demanding.length).toBeGreaterThan(0);
+    const run = { outcome: 'landed', distance: 0, tilt: 0, fuelUsed: 0, seconds: 1 } as RunOutcome;
+    for (const mission of demanding) {
+      const limit = mission.touchLimit!;
+      const missed = (touchSpeed: number) =>
+        scoreRun(mission, { ...run, touchSpeed }).lines.find(({ what }) => what === 'Goal missed')?.rule;
+      expect(mission.goal).toContain(`softer than ${limit} m/s`);
+      expect([missed(limit), missed(limit + 0.1)]).toEqual([
+        undefined,
+        `the goal was softer than ${limit} m/s`,
+      ]);
+    }
+  });
 
   it('name the slope of the ground at their pads', () => {
     const REACH = 10;

@@ -122,6 +122,9 @@ export function createMissionGame(context: MissionContext): MissionGame {
 /** The goal and how to fly to it; free flight has none, a demonstration is not flown. */
 function showGoal(mission: Mission | null, flight: Flight, context: MissionContext): void {
   const { goal, choices, device, cap } = context;
+  const isTouch = device() === 'thumbs';
+  const skips = isTouch && mission !== null && isSkippable(mission, flight, context);
+  goal.offerSkip(skips ? nextAction(mission, context).act : null);
   if (mission !== null) goal.show(titleOf(mission, flight, context), mission.goal);
   else if (choices().scenario === FREE_FLIGHT.name || isRealServer(choices().server))
     goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
@@ -129,16 +132,18 @@ function showGoal(mission: Mission | null, flight: Flight, context: MissionConte
   goal.how(howToFly(mission, device(), cap));
 }
 
-/** On a touch screen a lesson can be skipped only in the list of missions. */
+/** The key that skips a lesson stands beside its title; a touch screen has a button there. */
 function titleOf(mission: Mission, flight: Flight, context: MissionContext): string {
   const cap = isSkippable(mission, flight, context) ? confirmCap(context) : '';
   const { title } = mission.scenario;
   return cap === '' ? title : `${title} · ${cap} to skip`;
 }
 
-/** A lesson can be skipped, but not by a guest, nor while the card names the same key for something else. */
-function isSkippable({ isLesson }: Mission, { actions }: Flight, context: MissionContext): boolean {
-  return isLesson && context.choices().server === '' && actions[0]?.cap !== confirmCap(context);
+/** A lesson can be skipped, but not by a guest, nor while the card offers the same or takes the same key for something else. */
+function isSkippable(mission: Mission, { actions }: Flight, context: MissionContext): boolean {
+  if (!mission.isLesson || context.choices().server !== '') return false;
+  const next = nextAction(mission, context);
+  return !actions.some(({ text, cap }) => text === next.text || (cap !== '' && cap === next.cap));
 }
 
 /** A guest cannot begin another world. */

@@ -16,6 +16,7 @@ function createGame(scenario: string, runs: object = { isKept: () => false }, se
     device: 'keys' as Device,
     card: null as CardText | null,
     chosen: '',
+    skip: null as (() => void) | null,
   };
   const nothing = () => undefined;
   const game = createMissionGame({
@@ -25,6 +26,7 @@ function createGame(scenario: string, runs: object = { isKept: () => false }, se
     resetCamera: nothing,
     goal: {
       show: (title: string, words: string) => Object.assign(shown, { title, words }),
+      offerSkip: (skip: (() => void) | null) => (shown.skip = skip),
       how: (text: string) => (shown.how = text),
       advise: (text: string) => (shown.advice = text),
       hide: () => (shown.title = ''),
@@ -82,16 +84,25 @@ describe('in a world of another page or server', () => {
 });
 
 describe('the goal', () => {
-  it('of a lesson names the key that skips it, on a device that has one', () => {
+  it('of a lesson names the key that skips it; on a touch screen a button does', () => {
     const { game, shown } = createGame('school-hover');
-    expect(shown.title).toBe('Lesson 1: hover · Enter to skip');
+    expect([shown.title, shown.skip]).toEqual(['Lesson 1: hover · Enter to skip', null]);
     shown.device = 'gamepad';
     game.reword();
-    expect(shown.title).toBe('Lesson 1: hover · A to skip');
+    expect([shown.title, shown.skip]).toEqual(['Lesson 1: hover · A to skip', null]);
     shown.device = 'thumbs';
     game.reword();
     expect(shown.title).toBe('Lesson 1: hover');
-    expect(createGame('sidestep').shown.title).toBe('Sidestep');
+    shown.skip!();
+    expect(shown.chosen).toBe('school-translate');
+    // The card of a crash offers the next lesson itself, that of a fallen ship does not.
+    const view = (shownState: 'tipped' | 'crashed') => makeView({}, { shownState, provenance: 'confirmed' });
+    game.watch(view('tipped'));
+    expect(shown.skip).not.toBeNull();
+    game.watch(view('crashed'));
+    expect(shown.skip).toBeNull();
+    const mission = createGame('sidestep').shown;
+    expect([mission.title, mission.skip]).toEqual(['Sidestep', null]);
   });
 
   it('of a lesson does not name the skip key while the card uses it, and skips if the card uses another', () => {

@@ -1,11 +1,11 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
-import { compactShaders } from './.ci/compactShaders.mjs';
-import { writeNotices } from './.ci/notices.mjs';
-import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import { compactShaders } from './.ci/page/compactShaders.mjs';
+import { writeNotices } from './.ci/page/notices.mjs';
+import { listForOffline, OFFLINE_SCRIPT } from './.ci/page/offline.mjs';
 import { production } from './.ci/package/production.mjs';
-import { leanThree } from './.ci/leanThree.mjs';
+import { leanThree } from './.ci/page/leanThree.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
 /**

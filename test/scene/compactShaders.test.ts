@@ -1,6 +1,6 @@
 /** The shaders of the built page are compacted: what the GPU's compiler reads stays the same. */
 import { describe, expect, it } from 'vitest';
-import { compactShader, compactShaders } from '../../.ci/compactShaders.mjs';
+import { compactShader, compactShaders } from '../../.ci/page/compactShaders.mjs';
 
 describe('a compacted shader', () => {
   it.each([

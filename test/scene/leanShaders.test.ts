@@ -1,6 +1,6 @@
 /** The shaders of the built page are without branches that the page never takes: what is compiled stays the same. */
 import { describe, expect, it } from 'vitest';
-import { leanShader } from '../../.ci/leanShaders.mjs';
+import { leanShader } from '../../.ci/page/leanShaders.mjs';
 
 const lines = (...all: readonly string[]) => all.join('\n');
 

@@ -19,7 +19,7 @@ const NO_XR = `export class WebXRManager {
 const NO_ENVIRONMENTS = `export function WebGLEnvironments() {
   return {
     get(texture) {
-      if (texture) throw new Error('environments are left out of the page by .ci/leanThree.mjs');
+      if (texture) throw new Error('environments are left out of the page by .ci/page/leanThree.mjs');
       return null;
     },
     dispose() {},
@@ -38,7 +38,7 @@ function withoutColourNames(code) {
 /** Shaders of materials and backgrounds that the page does not draw. If one is drawn, it fails to compile, with this reason. */
 const UNUSED_SHADERS =
   /\/three\/src\/renderers\/shaders\/ShaderLib\/(background|backgroundCube|cube|distance|equirect|linedashed|mesh(matcap|normal|phong|toon)|points|shadow|sprite|vsm)\.glsl\.js$/;
-const NO_SHADER = `export const vertex = '#error left out of the page by .ci/leanThree.mjs';
+const NO_SHADER = `export const vertex = '#error left out of the page by .ci/page/leanThree.mjs';
 export const fragment = vertex;`;
 
 const SHADERS = /\/three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/.*\.glsl\.js$/;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { networkOf, upNetworkOf } from '../../src/playground/game/live';
+import { networkOf, upNetworkOf } from '../../src/playground/game/live/live';
 import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src/playground/panels/choices';
 import { NETWORK_PRESETS } from '../../src/scenarios';
 

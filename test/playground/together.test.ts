@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { createLive } from '../../src/playground/game/live';
+import { createLive } from '../../src/playground/game/live/live';
 import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createSession } from '../../src/playground/server/session';
 import { createTabHost, openTab, type TabChannel, type ToGuest } from '../../src/playground/server/tabLink';

@@ -4,7 +4,7 @@ import { saveKeys } from '../input/keyTable';
 import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
 import { keyCapOf } from './texts/controlTexts';
-import { networkOf, upNetworkOf } from './live';
+import { networkOf, upNetworkOf } from './live/live';
 import { TAB_ADDRESS } from '../server/tabAddress';
 import type { Page } from './pageParts';
 import type { Chooser, Parts } from './parts';

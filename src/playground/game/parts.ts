@@ -7,9 +7,9 @@ import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
 import type { RecordingView } from '../recording/recordingView';
-import type { Actions } from './actions';
-import type { FlightLink } from './flightLink';
-import type { Live } from './live';
+import type { Actions } from './actions/actions';
+import type { FlightLink } from './flight/flightLink';
+import type { Live } from './live/live';
 import type { MissionGame } from './mission/missionGame';
 
 /** All running parts, each created after those that it needs at creation. Parts that it calls later may be created after it. */

@@ -6,14 +6,14 @@ import { createShipDrag } from '../input/shipDrag';
 import { connectDevices, type Devices } from '../input/devices';
 import { createRecordingView, type RecordingView, takeDrops } from '../recording/recordingView';
 import { watchSize } from '../view/pageSize';
-import { type Actions, createActions } from './actions';
+import { type Actions, createActions } from './actions/actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser } from './chooser';
 import { keyCapOf, wireCockpit } from './texts/controlTexts';
 import { placeName } from './texts/placeName';
-import type { FlightLink } from './flightLink';
-import { createLive, type Live } from './live';
-import type { LiveListeners } from './liveState';
+import type { FlightLink } from './flight/flightLink';
+import { createLive, type Live } from './live/live';
+import type { LiveListeners } from './live/liveState';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
 import type { Parts } from './parts';
@@ -134,7 +134,7 @@ function wireActions(page: Page, parts: Parts): Actions {
 function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
   let link: FlightLink | null = null;
   const use = (then: (loaded: FlightLink) => void) => {
-    import('./flightLink').then(
+    import('./flight/flightLink').then(
       ({ createFlightLink }) =>
         then(
           (link ??= createFlightLink({ live: () => parts.live, choices: () => choices, address, notice })),

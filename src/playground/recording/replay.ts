@@ -1,7 +1,7 @@
 import { timingOfTick } from '../../dynamics';
 import type { WorldView } from '../../prediction';
 import { compareRecording, type Recording, type RecordingEntry } from '../../scenarios';
-import { type Baseline, createBaseline } from '../game/baseline';
+import { type Baseline, createBaseline } from '../game/live/baseline';
 import { copyPlayhead, createKeyframes, type Playhead, readEntry } from './keyframes';
 
 export type StepUnit = 'substep' | 'tick';

@@ -1,4 +1,4 @@
-import { createPageClock, type PageClock } from '../game/pageClock';
+import { createPageClock, type PageClock } from '../game/live/pageClock';
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
 import { createSession, type Session } from './session';

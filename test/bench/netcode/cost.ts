@@ -13,7 +13,7 @@ import { runReplays, startReplay } from '../../../src/prediction/simulation/repl
 import { addTrack } from '../../../src/prediction/simulation/track';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { updateBodies } from '../../../src/prediction/snapshots/bodies/updateBodies';
-import { loadConfig } from '../../../src/prediction/snapshots/worldConfig';
+import { loadConfig } from '../../../src/prediction/lifecycle/worldConfig';
 
 const SHIPS = 1000;
 /** Hz: many frames in little time. */

@@ -1,6 +1,6 @@
 /** Other clients' pictures against formulas, and the gauges' figures. */
 import { describe, expect, it } from 'vitest';
-import { createBaseline } from '../../../src/playground/game/baseline';
+import { createBaseline } from '../../../src/playground/game/live/baseline';
 import { createSamples, GAUGES, summarise } from '../../../src/playground/game/samples';
 import type { Diagnosis } from '../../../src/prediction';
 import type { PartialFrame, ShipState } from '../../../src/wire';

@@ -1,8 +1,8 @@
 /** Links to flights: the text of their inputs, and what is said and copied. */
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createFlightLink } from '../../../src/playground/game/flightLink';
-import type { Live } from '../../../src/playground/game/live';
+import { createFlightLink } from '../../../src/playground/game/flight/flightLink';
+import type { Live } from '../../../src/playground/game/live/live';
 import {
   bytesOf,
   MAX_LINK_LENGTH,
@@ -10,7 +10,7 @@ import {
   textOf,
   writeFlight,
 } from '../../../src/playground/game/mission/runText';
-import { scriptOf } from '../../../src/playground/game/script';
+import { scriptOf } from '../../../src/playground/game/live/script';
 import { type Choices, DEFAULT_CHOICES, readChoices } from '../../../src/playground/panels/choices';
 import type { Recording, RunInput } from '../../../src/scenarios';
 

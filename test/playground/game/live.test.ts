@@ -1,9 +1,9 @@
 import { describe, expect, it, vi } from 'vitest';
 import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../../src/dynamics';
-import { createFlightLink } from '../../../src/playground/game/flightLink';
+import { createFlightLink } from '../../../src/playground/game/flight/flightLink';
 import { type Choices, DEFAULT_CHOICES, readChoices } from '../../../src/playground/panels/choices';
 import { createReplay } from '../../../src/playground/recording/replay';
-import { scriptOf } from '../../../src/playground/game/script';
+import { scriptOf } from '../../../src/playground/game/live/script';
 import {
   compareRecording,
   readRecording,

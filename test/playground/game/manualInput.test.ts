@@ -2,7 +2,7 @@
 import { Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { flatTerrain } from '../../../src/dynamics';
-import { createFlightControls } from '../../../src/playground/game/flightControls';
+import { createFlightControls } from '../../../src/playground/game/flight/flightControls';
 import { createLandingReadout, updateLandingReadout } from '../../../src/readout';
 import { makeView } from '../../readout/views';
 import { open, useGameClock } from './openGame';

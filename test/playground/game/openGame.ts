@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, vi } from 'vitest';
-import { createLive, type Live } from '../../../src/playground/game/live';
+import { createLive, type Live } from '../../../src/playground/game/live/live';
 import { type Choices, DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
 import type { FromServer, ToServer } from '../../../src/playground/server/connection';
 import { serve } from '../../../src/playground/server/worker';

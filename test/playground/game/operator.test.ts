@@ -1,6 +1,6 @@
 /** The operator's commands: what each does to server, page and score. */
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { createOperatorActions } from '../../../src/playground/game/operatorActions';
+import { createOperatorActions } from '../../../src/playground/game/actions/operatorActions';
 
 describe('the operator', () => {
   afterEach(() => void vi.useRealTimers());

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createPageClock } from '../../../src/playground/game/pageClock';
+import { createPageClock } from '../../../src/playground/game/live/pageClock';
 import { createRecorder } from '../../../src/playground/recording/recorder';
 import { axisRange } from '../../../src/playground/panels/workshop/plots';
 import { createReplay } from '../../../src/playground/recording/replay';

@@ -1,6 +1,6 @@
 /** What is recorded, hashed and drawn of messages that the predictor decodes later, or never. */
 import { expect, it, vi } from 'vitest';
-import { createPendingTap } from '../../../src/playground/game/pendingTap';
+import { createPendingTap } from '../../../src/playground/game/live/pendingTap';
 import {
   encodeServerMessage,
   pendingServerMessage,

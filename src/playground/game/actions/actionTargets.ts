@@ -1,8 +1,8 @@
-import type { Banner } from '../panels/banner';
-import type { Choices } from '../panels/choices';
-import type { Panel } from '../panels/panel';
-import type { ReplayDeck } from '../recording/replayDeck';
-import type { Live } from './live';
+import type { Banner } from '../../panels/banner';
+import type { Choices } from '../../panels/choices';
+import type { Panel } from '../../panels/panel';
+import type { ReplayDeck } from '../../recording/replayDeck';
+import type { Live } from '../live/live';
 
 /** The objects that keys, gamepads and buttons act on. */
 export interface ActionTargets {

@@ -1,7 +1,7 @@
-import { SCENARIO_NAMES } from '../panels/choices';
-import type { Action } from '../input/keyTable';
-import { isFlightAction } from '../input/stick';
-import type { PanelAction } from '../panels/panelActions';
+import { SCENARIO_NAMES } from '../../panels/choices';
+import type { Action } from '../../input/keyTable';
+import { isFlightAction } from '../../input/stick';
+import type { PanelAction } from '../../panels/panelActions';
 import type { ActionTargets } from './actionTargets';
 import { createOperatorActions, isRemote, type OperatorActions } from './operatorActions';
 

@@ -1,5 +1,5 @@
 import type { ActionTargets } from './actionTargets';
-import type { SavedControls } from './flightControls';
+import type { SavedControls } from '../flight/flightControls';
 
 /** Wall seconds of hiding, and of a lag spike. */
 const AWAY = 60;

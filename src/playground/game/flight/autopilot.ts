@@ -1,8 +1,8 @@
-import { type Controls, NEUTRAL_CONTROLS, type Quat, type TerrainHeight, type Vec3 } from '../../dynamics';
-import type { ShipView, WorldView } from '../../prediction';
-import { BEGIN_LANDING, brakeDrift, continueLanding, type LandingManeuver } from '../../scenarios';
-import type { ShipState } from '../../wire';
-import { placeName } from './texts/placeName';
+import { type Controls, NEUTRAL_CONTROLS, type Quat, type TerrainHeight, type Vec3 } from '../../../dynamics';
+import type { ShipView, WorldView } from '../../../prediction';
+import { BEGIN_LANDING, brakeDrift, continueLanding, type LandingManeuver } from '../../../scenarios';
+import type { ShipState } from '../../../wire';
+import { placeName } from '../texts/placeName';
 
 /** The landing autopilot, switched on and off by one key. */
 export interface Autopilot {

@@ -1,7 +1,7 @@
-import { type Controls, NEUTRAL_CONTROLS, type TerrainHeight } from '../../dynamics';
-import type { WorldView } from '../../prediction';
-import type { Action } from '../input/keyTable';
-import { alignSteeringAxes } from '../input/steering';
+import { type Controls, NEUTRAL_CONTROLS, type TerrainHeight } from '../../../dynamics';
+import type { WorldView } from '../../../prediction';
+import type { Action } from '../../input/keyTable';
+import { alignSteeringAxes } from '../../input/steering';
 import {
   createStick,
   releaseAll,
@@ -12,7 +12,7 @@ import {
   setThrottle,
   type Stick,
   takeOver,
-} from '../input/stick';
+} from '../../input/stick';
 import { type Autopilot, createAutopilot } from './autopilot';
 
 /** The controls of a moment, and whether the autopilot flew: what a snapshot keeps beside the ships. */

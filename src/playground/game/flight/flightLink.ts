@@ -1,10 +1,10 @@
-import type { Recording, RunInput } from '../../scenarios';
-import { type Choices, readChoices, writeChoices } from '../panels/choices';
-import type { Notice } from '../panels/notice';
-import { type Address, copyFlight } from './address';
-import type { Live } from './live';
-import { readFlight, writeFlight } from './mission/runText';
-import { scriptOf } from './script';
+import type { Recording, RunInput } from '../../../scenarios';
+import { type Choices, readChoices, writeChoices } from '../../panels/choices';
+import type { Notice } from '../../panels/notice';
+import { type Address, copyFlight } from '../address';
+import type { Live } from '../live/live';
+import { readFlight, writeFlight } from '../mission/runText';
+import { scriptOf } from '../live/script';
 
 export interface FlightLinkContext {
   readonly live: () => Live;

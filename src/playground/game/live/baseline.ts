@@ -1,7 +1,7 @@
-import { GRAVITATIONAL_CONSTANT } from '../../dynamics';
-import type { WorldView } from '../../prediction';
-import type { PartialFrame, ShipState } from '../../wire';
-import type { ClientMode } from '../panels/choices';
+import { GRAVITATIONAL_CONSTANT } from '../../../dynamics';
+import type { WorldView } from '../../../prediction';
+import type { PartialFrame, ShipState } from '../../../wire';
+import type { ClientMode } from '../../panels/choices';
 
 /**
  * The picture drawn like other clients, for comparison: the last state held, or extrapolated under gravity alone like the current

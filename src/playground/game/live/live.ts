@@ -1,14 +1,14 @@
-import type { Controls } from '../../dynamics';
-import type { WorldView } from '../../prediction';
-import type { PendingMessage } from '../../wire';
-import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../scenarios';
-import type { Choices } from '../panels/choices';
-import type { Connection, ConnectionHandlers } from '../server/connection';
-import { deferConnection } from '../server/deferred';
-import type { LoadOperation, Operation } from '../server/operation';
-import { isRealServer, TAB_ADDRESS } from '../server/tabAddress';
+import type { Controls } from '../../../dynamics';
+import type { WorldView } from '../../../prediction';
+import type { PendingMessage } from '../../../wire';
+import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../../scenarios';
+import type { Choices } from '../../panels/choices';
+import type { Connection, ConnectionHandlers } from '../../server/connection';
+import { deferConnection } from '../../server/deferred';
+import type { LoadOperation, Operation } from '../../server/operation';
+import { isRealServer, TAB_ADDRESS } from '../../server/tabAddress';
 import type { Baseline } from './baseline';
-import type { FlightControls } from './flightControls';
+import type { FlightControls } from '../flight/flightControls';
 import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
 import type { PageClock } from './pageClock';
 import { type Script, scriptOf } from './script';
@@ -192,8 +192,8 @@ function connect(state: LiveState, name: string): Connection {
 
 /** Another tab's world or a real server: their code is loaded then. */
 async function openRemote(address: string, name: string, handlers: ConnectionHandlers): Promise<Connection> {
-  if (isRealServer(address)) return (await import('../server/realServer')).openServer(address, handlers);
-  const { openTab } = await import('../server/tabLink');
+  if (isRealServer(address)) return (await import('../../server/realServer')).openServer(address, handlers);
+  const { openTab } = await import('../../server/tabLink');
   const guest = `guest-${Math.random().toString(36).slice(2, 8)}`;
   return openTab(address, { guest, name }, handlers);
 }

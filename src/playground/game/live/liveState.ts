@@ -1,11 +1,11 @@
-import { flatTerrain, TERRAINS } from '../../dynamics';
-import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
-import type { RecordingEntry, RunInput, ScheduledInput } from '../../scenarios';
-import type { PartialFrame, ServerMessage } from '../../wire';
-import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
+import { flatTerrain, TERRAINS } from '../../../dynamics';
+import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../../prediction';
+import type { RecordingEntry, RunInput, ScheduledInput } from '../../../scenarios';
+import type { PartialFrame, ServerMessage } from '../../../wire';
+import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../../server/connection';
 import { type Baseline, createBaseline } from './baseline';
-import { createFlightControls, type FlightControls } from './flightControls';
-import { createRunHash, type RunHash } from './mission/runHash';
+import { createFlightControls, type FlightControls } from '../flight/flightControls';
+import { createRunHash, type RunHash } from '../mission/runHash';
 import { createPageClock, type PageClock } from './pageClock';
 import { createPace, type Pace } from './pace';
 import { createPendingTap, type PendingTap } from './pendingTap';

@@ -1,4 +1,4 @@
-import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
+import type { PendingMessage, ServerMessage, WorldEvent } from '../../../wire';
 
 /** Events of superseded frames that are kept for the recording, as many as the predictor keeps. */
 const MAX_EVENTS = 1000;

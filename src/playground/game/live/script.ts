@@ -1,6 +1,6 @@
-import { findScenario, SCENARIOS, loadScenario, type ScheduledInput, ticksOf } from '../../scenarios';
-import type { Choices } from '../panels/choices';
-import { readFlight } from './mission/runText';
+import { findScenario, SCENARIOS, loadScenario, type ScheduledInput, ticksOf } from '../../../scenarios';
+import type { Choices } from '../../panels/choices';
+import { readFlight } from '../mission/runText';
 
 /**
  * A scenario's scheduled inputs, and its end. The server in the page plays the plan at its exact substeps

@@ -11,7 +11,7 @@ import type { VerifiedRun } from './bestRuns';
 import { adviceText, type Device, howToFly } from '../texts/flightTexts';
 import { isRealServer } from '../../server/tabAddress';
 import { createGhostFlight, type GhostFlight } from './ghost';
-import type { Live } from '../live';
+import type { Live } from '../live/live';
 import type { Runs } from './runs';
 import { confirmCap, crashCard, landedCard, nextAction, phaseCard } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';

@@ -20,24 +20,24 @@ import {
   wakeIfBurning,
   writeSleeping,
 } from './simulation/sleep';
-import { acknowledgementOf, applyAcknowledgement } from './snapshots/acknowledgements';
+import { acknowledgementOf, applyAcknowledgement } from './inputs/acknowledgements';
 import { completeBodies } from './snapshots/bodies/completeBodies';
 import { createBodySpin, measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
-import { gameTimeScale } from './snapshots/gameTimeMeter';
-import { learnFrom } from './snapshots/learnFrom';
+import { gameTimeScale } from './snapshots/tempo/gameTimeMeter';
+import { learnFrom } from './snapshots/reconcile/learnFrom';
 import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
 import { holdLaw } from './snapshots/reconcile/lawErrors';
 import { chooseMotion } from './snapshots/reconcile/lawFit';
 import { replayImpact } from './snapshots/reconcile/recall';
-import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
+import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './events/settleEvents';
 import { isPlaced, recordsOf, tickFault } from './snapshots/checkedRecords';
 import { shipFault } from './snapshots/shipFault';
 import { receiveHello } from './snapshots/receiveHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { receivePong } from './snapshots/receivePong';
-import { loadUntrusted } from './snapshots/worldConfig';
-import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
+import { loadUntrusted } from './lifecycle/worldConfig';
+import { measureUnsentRate, sentUntimed } from './snapshots/tempo/unsentTickRate';
 import { keepWithinBudget } from './frameBudget';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';

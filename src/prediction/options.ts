@@ -9,7 +9,7 @@ import {
 } from '../dynamics';
 import type { Smoothing } from './drawn/ease';
 import type { ScheduledInput } from './inputs/inputs';
-import type { WorldConfig } from './snapshots/worldConfig';
+import type { WorldConfig } from './lifecycle/worldConfig';
 import type { Warn } from './warnings';
 
 /** A terrain that may be loaded only in part: elsewhere it returns null, and ships are extrapolated from their states. */

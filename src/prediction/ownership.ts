@@ -4,7 +4,7 @@ import { forgetAfter } from './simulation/rings/history';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
-import { loadConfig } from './snapshots/worldConfig';
+import { loadConfig } from './lifecycle/worldConfig';
 import { forgetPings } from './time/pings';
 
 /** Ownership of ships (PREDICTION, Ownership), as set by the caller or the server. */

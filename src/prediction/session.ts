@@ -11,7 +11,7 @@ import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
-import type { SceneFeatures } from './drawn/scene';
+import type { ViewFeatures } from './drawn/viewContext';
 import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
@@ -20,14 +20,14 @@ import type { Features, Simulation } from './simulation/simulation';
 import { createSimulation } from './simulation/createSimulation';
 import type { PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
-import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
+import { loadConfig, type WorldConfig } from './lifecycle/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
 import type { FrameBudget, keepWithinBudget } from './frameBudget';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
 /** The optional parts of a predictor, as the session calls them. */
-export interface SessionFeatures extends Features, SceneFeatures {
+export interface SessionFeatures extends Features, ViewFeatures {
   /** Takes the hello of a server that sends one. */
   readonly receiveHello?: (session: Session, hello: Hello, now: number) => void;
   readonly receivePong?: (session: Session, pong: Pong, now: number) => void;

@@ -6,7 +6,7 @@
 import type { World } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { addTrack, createFleet } from '../../src/prediction/simulation/track';
-import { createShipView } from '../../src/prediction/drawn/viewing';
+import { createShipView } from '../../src/prediction/drawn/shipView';
 import {
   createFleetReadout,
   createLandingReadout,

@@ -1,7 +1,7 @@
 import type { PartialFrame, ShipState } from '../../wire';
 import { knowsGround } from '../ground/unknownGround';
 import type { Session, SessionFeatures } from '../session';
-import { sameBodies } from '../snapshots/worldConfig';
+import { sameBodies } from '../lifecycle/worldConfig';
 
 /** Data or a call that needs a feature, the part of the session that the feature provides, and what happens without it. */
 interface Need {

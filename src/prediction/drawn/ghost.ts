@@ -13,7 +13,7 @@ import { pose } from './pose';
 import { measure, rotateBack, relativeRotation } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
 import type { LevelGround } from './snap/levelSnap';
-import type { Scene } from './scene';
+import type { ViewContext } from './viewContext';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
@@ -31,7 +31,7 @@ export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
 export function groundGhost(
   out: ShipView,
   track: Track,
-  { world, ground: drawn, features }: Scene,
+  { world, ground: drawn, features }: ViewContext,
   exactly: boolean,
 ): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;

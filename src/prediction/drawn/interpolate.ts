@@ -14,7 +14,7 @@ import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
 import { fadeFromHeld } from './correction';
 import { moveWithBody, place, seeServerState } from './outOfStep';
-import type { Playback, TurnedBodies } from './scene';
+import type { Playback, TurnedBodies } from './viewContext';
 import { pose } from './pose';
 import {
   compose,

@@ -5,14 +5,14 @@ import { createGroundedPose, type GroundedPose, snapToGround } from './snap/grou
 import { hullOfShip, LEGS } from './snap/hull';
 import type { LevelGround } from './snap/levelSnap';
 import { measure, rotate } from './rotation';
-import type { Scene } from './scene';
+import type { ViewContext } from './viewContext';
 import type { ShipView } from './view';
 
 /** A ship and the ground below it, as predicted and as drawn. */
 
 /** The server's ground below the ship, as learned, and its height above the drawn one. */
-export function fillGround(out: ShipView, track: Track, scene: Scene): void {
-  const { world, ground, at, normal, drawn } = scene;
+export function fillGround(out: ShipView, track: Track, context: ViewContext): void {
+  const { world, ground, at, normal, drawn } = context;
   const body = world.bodies[out.body]!;
   const { picture } = track;
   const { places, reading } = track.ground;
@@ -21,7 +21,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   for (let k = 0; k < 3; k++) up[k] = normal[k]!;
   writeGroundRadius(up, ground);
   out.groundRadius = up[HEIGHT]!;
-  fillGroundNormal(out, scene);
+  fillGroundNormal(out, context);
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
@@ -40,20 +40,20 @@ const up = groundDirection();
 const OFFSET_RATE = 10;
 
 /** The surface normal below its feet, as the settings define it. */
-function fillGroundNormal(out: ShipView, scene: Scene): void {
-  const normal = scene.features.slopeBelow?.(out, scene) ?? scene.normal;
-  rotate(out.groundNormal, scene.bodyAttitudes[out.body]!, normal);
+function fillGroundNormal(out: ShipView, context: ViewContext): void {
+  const normal = context.features.slopeBelow?.(out, context) ?? context.normal;
+  rotate(out.groundNormal, context.bodyAttitudes[out.body]!, normal);
 }
 
 /**
  * Puts the mesh on the drawn ground if the ground is near.
  * @returns whether point by point, or as on level ground
  */
-export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
-  const { drawn, distance } = scene;
+export function fillGrounded(out: ShipView, context: ViewContext, bodyAttitude: Float64Array): boolean {
+  const { drawn, distance } = context;
   const legRadius = out.shipClass.constants[LEG_RADIUS]!;
-  const { snapToLevel } = scene.features;
-  const exactly = snapToLevel === undefined || out.own || scene.exactSnaps > 0;
+  const { snapToLevel } = context.features;
+  const exactly = snapToLevel === undefined || out.own || context.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   measure(drawnDistance, drawn.position);
   const above = drawnDistance[0]! - surface;
@@ -67,8 +67,8 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   }
   drawn.grounded = out.surfaceContactState !== '';
   if (exactly) {
-    scene.exactSnaps -= 1;
-    snapToGround(groundedPose, drawn, hullOfShip(out), scene.ground);
+    context.exactSnaps -= 1;
+    snapToGround(groundedPose, drawn, hullOfShip(out), context.ground);
   } else {
     level.radius = surface;
     snapToLevel(groundedPose, drawn, hullOfShip(out), level);

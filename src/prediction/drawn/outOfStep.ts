@@ -10,7 +10,7 @@ import {
 } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
-import type { Scene } from './scene';
+import type { ViewContext } from './viewContext';
 import { type Pose, pose } from './pose';
 import { compose, cross, put, rotate, rotateBack, relativeRotation, take, vector } from './rotation';
 
@@ -18,15 +18,15 @@ import { compose, cross, put, rotate, rotateBack, relativeRotation, take, vector
  * The row at the present of a ship that is not in step: asleep, held as last predicted, or in its last server state,
  * turned with its body since then.
  */
-export function outOfStep(sim: Simulation, track: Track, scene: Scene): Float64Array {
+export function outOfStep(sim: Simulation, track: Track, context: ViewContext): Float64Array {
   const { picture } = track;
-  const { rowOfPolicy } = scene.features;
-  if (track.policy !== 'predict' && rowOfPolicy) return rowOfPolicy(sim, track, scene);
+  const { rowOfPolicy } = context.features;
+  if (track.policy !== 'predict' && rowOfPolicy) return rowOfPolicy(sim, track, context);
   const known = track.mode === 'sleeping' || picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const index = row[REFERENCE_BODY]!;
-  const attitude = scene.bodyAttitudes[index]!;
-  const spin = scene.bodySpins[index]!;
+  const attitude = context.bodyAttitudes[index]!;
+  const spin = context.bodySpins[index]!;
   if (track.mode === 'sleeping' && sim.sleep !== null) {
     sim.sleep.writeSleeping(row, 0, track, attitude, spin);
     return row;

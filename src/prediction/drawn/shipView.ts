@@ -39,7 +39,7 @@ import {
   take,
   vector,
 } from './rotation';
-import type { Scene } from './scene';
+import type { ViewContext } from './viewContext';
 import { fillControls, fillServerState, fillStatus, surfaceStateOf } from './status';
 import type { ShipView } from './view';
 
@@ -89,11 +89,11 @@ export function createShipView(track: Track, world: World): ShipView {
 }
 
 /** Fills a ship's view: predicted state, drawn pose, ground, shown state. */
-export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
+export function fillShipView(out: ShipView, sim: Simulation, track: Track, context: ViewContext): void {
   const stepping = track.mode === 'stepping';
   const { fleet, alpha } = sim;
   // The surface state at the present is that of the last substep boundary.
-  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : outOfStep(sim, track, scene);
+  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : outOfStep(sim, track, context);
   const from = stepping ? track.at : 0;
   if (stepping) fillBetween(out, sim, track);
   else fillFromRow(out, rows);
@@ -103,33 +103,33 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.surfaceContactState = SURFACE_STATES[surfaceStateOf(track, rows, from)]!;
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
-  out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
+  out.shipClass = context.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.groundContactOffset = rows[from + GROUND_CONTACT_OFFSET]!;
   out.name = track.name;
   out.extrapolated = track.fit.extrapolated;
   out.extrapolatedStates = track.fit.states;
   out.own = track.own;
   out.missingSends = sim.cadence.sends - track.lastSend;
-  const attitude = scene.bodyAttitudes[out.body]!;
-  rowToBodyAxes(out, scene, attitude);
+  const attitude = context.bodyAttitudes[out.body]!;
+  rowToBodyAxes(out, context, attitude);
   if (track.picture.ease.active)
     advanceEase(
       track.picture.ease,
-      scene.normal,
-      scene.at.elapsed,
-      scene.springs,
-      stepping ? Math.min(scene.at.elapsed, sinceUprighting(sim, track)) : scene.at.elapsed,
+      context.normal,
+      context.at.elapsed,
+      context.springs,
+      stepping ? Math.min(context.at.elapsed, sinceUprighting(sim, track)) : context.at.elapsed,
     );
-  fillDrawn(out, track, scene, attitude);
-  fillGround(out, track, scene);
-  const exactly = fillGrounded(out, scene, attitude);
+  fillDrawn(out, track, context, attitude);
+  fillGround(out, track, context);
+  const exactly = fillGrounded(out, context, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.picture.status.commands, rows, from);
-  if (fillServerState(out, track, scene.at)) {
+  if (fillServerState(out, track, context.at)) {
     fillGhost(out, track);
-    scene.features.groundGhost?.(out, track, scene, exactly);
+    context.features.groundGhost?.(out, track, context, exactly);
   }
-  fillStatus(out, track, rows, from, scene.at);
+  fillStatus(out, track, rows, from, context.at);
   if (track.log !== null)
     sim.features.touchdown?.fillTouchdown(
       out.touchdown,
@@ -168,7 +168,7 @@ function fillFromRow(out: ShipView, from: Float64Array): void {
 }
 
 /** The pose in the body's axes, and the local up there. */
-function rowToBodyAxes(out: ShipView, { seen, normal, distance }: Scene, body: Float64Array): void {
+function rowToBodyAxes(out: ShipView, { seen, normal, distance }: ViewContext, body: Float64Array): void {
   rotateBack(seen.position, body, out.position);
   relativeRotation(seen.attitude, body, out.attitude);
   measure(distance, seen.position);
@@ -177,7 +177,7 @@ function rowToBodyAxes(out: ShipView, { seen, normal, distance }: Scene, body: F
 }
 
 /** drawn = predicted + offset, in the body's axes and back. */
-function fillDrawn(out: ShipView, track: Track, { seen, drawn }: Scene, body: Float64Array): void {
+function fillDrawn(out: ShipView, track: Track, { seen, drawn }: ViewContext, body: Float64Array): void {
   const { ease } = track.picture;
   for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
   for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;

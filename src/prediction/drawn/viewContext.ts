@@ -12,13 +12,13 @@ import type { Instant } from './status';
 import type { ShipView } from './view';
 
 /** The optional parts of drawing. */
-export interface SceneFeatures {
+export interface ViewFeatures {
   /** Puts ships on level ground; without, all are put on the ground point by point. */
   readonly snapToLevel?: typeof snapToLevel;
   /** Puts the server's state on the drawn ground. */
-  readonly groundGhost?: (out: ShipView, track: Track, scene: Scene, exactly: boolean) => void;
+  readonly groundGhost?: (out: ShipView, track: Track, context: ViewContext, exactly: boolean) => void;
   /** The ground's own normal, where the settings say so. */
-  readonly slopeBelow?: (out: ShipView, scene: Scene) => Float64Array | null;
+  readonly slopeBelow?: (out: ShipView, context: ViewContext) => Float64Array | null;
   /** The row of a ship that the caller chose not to predict. */
   readonly rowOfPolicy?: (sim: Simulation, track: Track, turned: TurnedBodies) => Float64Array;
 }
@@ -43,13 +43,13 @@ export interface Playback {
 }
 
 /** Shared by all ships of one view. */
-export interface Scene extends TurnedBodies {
+export interface ViewContext extends TurnedBodies {
   world: World;
   /** Of the current ship's body. */
   readonly ground: DrawnGround;
   /** Ships that may still be put on the ground point by point; for others the ground counts as level. */
   exactSnaps: number;
-  readonly features: SceneFeatures;
+  readonly features: ViewFeatures;
   readonly at: Instant;
   readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
   /** How fast corrections fade. */
@@ -62,7 +62,7 @@ export interface Scene extends TurnedBodies {
   readonly drawn: GroundPose;
 }
 
-export function createScene(sim: Simulation, springs: Springs, features: SceneFeatures): Scene {
+export function createViewContext(sim: Simulation, springs: Springs, features: ViewFeatures): ViewContext {
   const { timeline } = sim;
   return {
     world: sim.world,

@@ -8,13 +8,13 @@ import { staleAfter } from '../time/connection';
 import { indexOf, type Moment, spanOf } from '../time/timeline';
 import type { WorldView } from './view';
 import type { Springs } from './ease';
-import { createScene, type Scene, type SceneFeatures } from './scene';
-import { createShipView, fillShipView } from './viewing';
+import { createViewContext, type ViewContext, type ViewFeatures } from './viewContext';
+import { createShipView, fillShipView } from './shipView';
 
 /** A view under construction, and what all its ships share. */
 export interface ViewBuilder {
   readonly view: WorldView;
-  readonly scene: Scene;
+  readonly context: ViewContext;
   /** Of the view under construction. */
   readonly instant: ViewInstant;
   viewedAt: number;
@@ -30,7 +30,7 @@ interface BodyView {
   readonly angularVelocity: [number, number, number];
 }
 
-export function createViewBuilder(sim: Simulation, springs: Springs, features: SceneFeatures): ViewBuilder {
+export function createViewBuilder(sim: Simulation, springs: Springs, features: ViewFeatures): ViewBuilder {
   const bodies = sim.world.bodies.map(({ name, mass, radius }): BodyView => {
     return {
       name,
@@ -57,16 +57,16 @@ export function createViewBuilder(sim: Simulation, springs: Springs, features: S
     own: null,
     diagnosis: sim.counters,
   };
-  const scene = createScene(sim, springs, features);
+  const context = createViewContext(sim, springs, features);
   const instant = { now: 0, present: 0, lead: 0, heard: 0 };
-  return { view, scene, instant, viewedAt: Number.NaN };
+  return { view, context, instant, viewedAt: Number.NaN };
 }
 
 /** The simulation has a new world with the same bodies: views continue with its constants. */
-export function showWorld({ view, scene }: ViewBuilder, { world }: Simulation): void {
+export function showWorld({ view, context }: ViewBuilder, { world }: Simulation): void {
   view.settings = world.settings;
-  scene.world = world;
-  scene.ground.terrainHeight = world.terrainHeight;
+  context.world = world;
+  context.ground.terrainHeight = world.terrainHeight;
   for (const [i, { mass, radius }] of world.bodies.entries()) {
     const body = view.bodies[i] as BodyView;
     body.mass = mass;
@@ -100,11 +100,11 @@ export interface ViewInstant {
 
 /** Fills the view for its instant, with the present as it is placed. */
 export function fillView(builder: ViewBuilder, sim: Simulation): void {
-  const { view, scene } = builder;
+  const { view, context } = builder;
   const { now, present, lead, heard } = builder.instant;
   fillLabel(view, sim);
   fillBodies(builder, sim);
-  const { at } = scene;
+  const { at } = context;
   at.elapsed = Number.isNaN(builder.viewedAt) ? 0 : Math.max(0, now - builder.viewedAt);
   builder.viewedAt = now;
   at.now = now;
@@ -113,11 +113,11 @@ export function fillView(builder: ViewBuilder, sim: Simulation): void {
   at.confirms = sendSeconds(sim.cadence, view.tickRate) + lead + GRACE;
   at.paused = view.paused;
   at.bodiesKnown = sim.bodiesKnown;
-  scene.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
-  scene.playback.timeScale = view.timeScale;
+  context.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
+  context.playback.timeScale = view.timeScale;
   // The timeline may have changed since the last view: forget the looked-up tick.
   at.serverTick = Number.NaN;
-  scene.exactSnaps = MAX_EXACT_SNAPS;
+  context.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(builder, sim);
 }
 
@@ -135,7 +135,7 @@ function fillLabel(view: WorldView, sim: Simulation): void {
   view.ready = true;
 }
 
-function fillBodies({ view, scene }: ViewBuilder, sim: Simulation): void {
+function fillBodies({ view, context }: ViewBuilder, sim: Simulation): void {
   const { front, timeline } = sim;
   const rows = boundaryAt(sim.bodies, timeline, front.tick);
   const before = view.tick === front.tick ? 0 : spanOf(timeline, view.tick).timing.tickSeconds;
@@ -143,8 +143,8 @@ function fillBodies({ view, scene }: ViewBuilder, sim: Simulation): void {
   for (let i = 0; i < view.bodies.length; i++) {
     const body = view.bodies[i] as BodyView;
     const at = i * BODY_STRIDE;
-    const attitude = scene.bodyAttitudes[i]!;
-    take(scene.bodySpins[i]!, rows, at + BODY_ANGULAR_VELOCITY);
+    const attitude = context.bodyAttitudes[i]!;
+    take(context.bodySpins[i]!, rows, at + BODY_ANGULAR_VELOCITY);
     writeBodyAttitude(attitude, sim, i, sim);
     for (let k = 0; k < 3; k++) {
       body.velocity[k] = rows[at + BODY_VELOCITY + k]!;
@@ -155,7 +155,7 @@ function fillBodies({ view, scene }: ViewBuilder, sim: Simulation): void {
   }
 }
 
-function fillShips({ view, scene }: ViewBuilder, sim: Simulation): void {
+function fillShips({ view, context }: ViewBuilder, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;
@@ -164,7 +164,7 @@ function fillShips({ view, scene }: ViewBuilder, sim: Simulation): void {
     const track = tracks[i]!;
     if (track.fit.extrapolated !== '') sim.counters.shipsExtrapolated += 1;
     track.picture.view ??= createShipView(track, sim.world);
-    fillShipView(track.picture.view, sim, track, scene);
+    fillShipView(track.picture.view, sim, track, context);
     view.ships[i] = track.picture.view;
     if (!track.own) continue;
     view.own = track.picture.view;

@@ -5,11 +5,11 @@ import {
   EVENT_NAMES,
   EVENT_RIGHTED,
   EVENT_TIPPED,
-} from '../dynamics';
-import type { ShipEventName } from '../dynamics';
-import { indexOf, isBefore, type Timeline } from './time/timeline';
-import type { WorldEvent } from '../wire';
-import type { EventNotice } from './drawn/view';
+} from '../../dynamics';
+import type { ShipEventName } from '../../dynamics';
+import { indexOf, isBefore, type Timeline } from '../time/timeline';
+import type { WorldEvent } from '../../wire';
+import type { EventNotice } from '../drawn/view';
 
 /**
  * The events of one ship, predicted and sent (PREDICTION, Events). An event keeps its identity through replays: the same type within 50

@@ -9,11 +9,11 @@ import {
   pruneLedger,
   retract,
   settleByAgreement,
-} from '../events';
+} from './ledger';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import type { Position } from '../time/timeline';
-import type { Receiver } from './receiver';
+import type { Receiver } from '../snapshots/receiver';
 
 /** How long a withdrawn prediction is shown, s. */
 const WITHDRAWN_SHOWN = 2;

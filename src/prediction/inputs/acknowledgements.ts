@@ -1,8 +1,8 @@
 import type { InputAcknowledgement, PartialFrame, StateControls } from '../../wire';
-import { acknowledge, type InputOutcome } from '../inputs/inputs';
+import { acknowledge, type InputOutcome } from './inputs';
 import type { Simulation } from '../simulation/simulation';
 import { steerByMargin } from '../time/clock';
-import type { Receiver } from './receiver';
+import type { Receiver } from '../snapshots/receiver';
 
 /** The acknowledgement, or null if it is absent or invalid: an input cannot be applied after the frame that acknowledges it. */
 export function acknowledgementOf(

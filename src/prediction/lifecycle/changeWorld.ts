@@ -7,7 +7,7 @@ import { abandonReplay, hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { forgetAfter as forgetBodiesAfter } from '../snapshots/bodies/bodyTrack';
-import { sameBodies, type WorldConfig } from '../snapshots/worldConfig';
+import { sameBodies, type WorldConfig } from './worldConfig';
 import { changeLongestSubstep } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
 

@@ -3,7 +3,7 @@ import { checkDefaults, faultOfDefaults } from '../checks/options';
 import { describe } from '../checks/describe';
 import type { Defaults } from '../options';
 import type { Session } from '../session';
-import { loadUntrusted } from '../snapshots/worldConfig';
+import { loadUntrusted } from './worldConfig';
 import { changeWorld } from './changeWorld';
 
 /** Changes members of the running world. Returns an error that names the invalid field; then nothing changes. */

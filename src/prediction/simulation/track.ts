@@ -1,6 +1,6 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { createPicture, type Picture } from '../drawn/picture';
-import { createLedger, type Ledger } from '../events';
+import { createLedger, type Ledger } from '../events/ledger';
 import { createLawFit, type LawFit } from '../snapshots/reconcile/lawErrors';
 import { createHistory, type History } from './rings/history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';

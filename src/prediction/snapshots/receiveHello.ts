@@ -8,7 +8,7 @@ import { beginWorld, type Session } from '../session';
 import { serverTime } from '../time/clock';
 import { wallOfTick } from '../time/timeline';
 import { beginTimeline, refuse } from './receiveSnapshot';
-import { loadUntrusted, sameWorld } from './worldConfig';
+import { loadUntrusted, sameWorld } from '../lifecycle/worldConfig';
 
 /** A new connection starts a new timeline, unless the world is the same and its time continues. */
 export function receiveHello(session: Session, hello: Hello, now: number): void {

@@ -2,7 +2,7 @@ import type { PartialFrame, ServerFrame, ServerMessage } from '../../wire';
 import { beginWorld, type Session } from '../session';
 import { completeFrame, tempoOf } from './completeFrame';
 import { receiveSnapshot, refuse } from './receiveSnapshot';
-import { loadConfig } from './worldConfig';
+import { loadConfig } from '../lifecycle/worldConfig';
 
 /**
  * Receives a message of the server at client wall second `now`. Never throws: an invalid message is refused with a reason, and the last

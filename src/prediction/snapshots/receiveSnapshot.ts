@@ -9,8 +9,8 @@ import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, isTimed, type Receiver } from './receiver';
-import { reconcileStates } from './reconcileStates';
-import { followTempo } from './tempo';
+import { reconcileStates } from './reconcile/reconcileStates';
+import { followTempo } from './tempo/followTempo';
 
 /** Sends without a ship after which it is removed, if it has also been silent for SILENT_SECONDS. */
 const SILENT_SENDS = 3;

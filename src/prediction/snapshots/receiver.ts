@@ -2,7 +2,7 @@ import type { BodyState, ServerFrame } from '../../wire';
 import type { Policy } from '../simulation/track';
 import type { Clock } from '../time/clock';
 import type { TickRateMeter } from '../time/tickRateMeter';
-import type { GameTimeMeter } from './gameTimeMeter';
+import type { GameTimeMeter } from './tempo/gameTimeMeter';
 import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
 
 /** State by which one connection's frames are classified. */

@@ -4,7 +4,7 @@ import type { Simulation } from '../simulation/simulation';
 import { boundaryAt, knowsBoundary } from './bodies/bodyTrack';
 import type { Receiver } from './receiver';
 import type { SnapshotContext } from './snapshotContext';
-import { reconcileShip } from './reconcileStates';
+import { reconcileShip } from './reconcile/reconcileStates';
 
 /** New ships that one call takes. */
 const MAX_NEW = 1000;

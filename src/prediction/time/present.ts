@@ -100,8 +100,8 @@ function measureClockStep(clock: Clock, elapsed: number): void {
     clock.stillCalls += 1;
     return;
   }
-  if (clock.stillCalls > 0 && elapsed <= MAX_CLOCK_STEP && elapsed > 0)
+  if (clock.stillCalls > 0 && elapsed <= MAX_CLOCK_STEP)
     clock.clockStep = clock.clockStep === 0 ? elapsed : Math.min(clock.clockStep, elapsed);
-  else if (elapsed > 0 && elapsed < clock.clockStep * 0.9) clock.clockStep = 0;
+  else if (elapsed < clock.clockStep * 0.9) clock.clockStep = 0;
   clock.stillCalls = 0;
 }

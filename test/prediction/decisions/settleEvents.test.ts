@@ -7,7 +7,7 @@ import {
   EVENT_TIPPED,
 } from '../../../src/dynamics';
 import { abandonReplay, startReplay } from '../../../src/prediction/simulation/replay';
-import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
+import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/events/settleEvents';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
 import { RATE, sessionAt, shipAt } from './sessionAt';

@@ -19,7 +19,7 @@ import {
   type Instant,
   surfaceStateOf,
 } from '../../../src/prediction/drawn/status';
-import { createShipView } from '../../../src/prediction/drawn/viewing';
+import { createShipView } from '../../../src/prediction/drawn/shipView';
 import { sessionAt, shipAt } from './sessionAt';
 
 const TICK = 100;

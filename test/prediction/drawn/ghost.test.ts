@@ -3,7 +3,7 @@ import { POSITION, REFERENCE_BODY } from '../../../src/dynamics';
 import type { ShipView, WorldView } from '../../../src/prediction';
 import { groundGhost } from '../../../src/prediction/drawn/ghost';
 import { rotate, rotateBack } from '../../../src/prediction/drawn/rotation';
-import { createShipView } from '../../../src/prediction/drawn/viewing';
+import { createShipView } from '../../../src/prediction/drawn/shipView';
 import { sessionAt, shipAt } from '../decisions/sessionAt';
 import { createRig, scenarioNamed } from '../rig';
 
@@ -62,12 +62,16 @@ it('the ghost of a tipped ship is put on the ground of the body that its state n
   const [moon] = sim.world.bodies;
   const hill = (body: string) => (body === 'hilly' ? 5 : 0);
   const world = { ...sim.world, bodies: [moon!, { ...moon!, name: 'hilly' }], terrainHeight: hill };
-  const scene = { ...viewBuilder.scene, world, ground: { ...viewBuilder.scene.ground, terrainHeight: hill } };
+  const context = {
+    ...viewBuilder.context,
+    world,
+    ground: { ...viewBuilder.context.ground, terrainHeight: hill },
+  };
   const out = createShipView(track, world);
   const height = (body: number) => {
     track.serverRow[REFERENCE_BODY] = body;
     out.ghostPosition.set(track.serverRow.subarray(POSITION, POSITION + 3));
-    groundGhost(out, track, scene, true);
+    groundGhost(out, track, context, true);
     return Math.hypot(...out.ghostPosition);
   };
   expect(height(1) - height(0)).toBeCloseTo(5, 3);

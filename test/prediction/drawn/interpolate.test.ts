@@ -12,7 +12,7 @@ import {
   VELOCITY,
 } from '../../../src/dynamics';
 import { rowOfPolicy, rowToIcrf } from '../../../src/prediction/drawn/interpolate';
-import type { TurnedBodies } from '../../../src/prediction/drawn/scene';
+import type { TurnedBodies } from '../../../src/prediction/drawn/viewContext';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { cross, plus, product, rotate, turnAbout, unit } from '../../dynamics/vectors';
 import { RATE, sessionAt, shipAt } from '../decisions/sessionAt';

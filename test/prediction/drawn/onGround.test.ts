@@ -21,7 +21,7 @@ it('ground learned from one ship does not move the next one', () => {
   };
   const before = nextDrawn();
   // 100 m beside it: the next ship's, which was drawn last.
-  const direction = viewBuilder.scene.normal.slice();
+  const direction = viewBuilder.context.normal.slice();
   beginReading(learning.ground);
   learning.ground.places.push({
     ...{ bodyName: name, bodyRadius: radius, direction },

@@ -175,7 +175,7 @@ describe('a ship in a view', () => {
       const { position } = view().own!;
       const distance = Math.hypot(...position);
       const { name, radius } = sim.world.bodies[0]!;
-      const attitude = of.viewBuilder.scene.normal.slice();
+      const attitude = of.viewBuilder.context.normal.slice();
       beginReading(track.ground);
       track.ground.places.push({
         ...{ bodyName: name, bodyRadius: radius, direction: attitude, slope: new Float64Array(3) },

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { POSITION, SHIP_STRIDE } from '../../../src/dynamics';
-import { createShipView } from '../../../src/prediction/drawn/viewing';
+import { createShipView } from '../../../src/prediction/drawn/shipView';
 import { changePolicy } from '../../../src/prediction/lifecycle/policy';
 import { createServerStates } from '../../../src/prediction/simulation/rings/serverStates';
 import type { Policy, Track } from '../../../src/prediction/simulation/track';

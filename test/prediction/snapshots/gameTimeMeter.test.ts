@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BODIES } from '../../../src/dynamics';
-import { createGameTimeMeter, measureGameTime } from '../../../src/prediction/snapshots/gameTimeMeter';
+import { createGameTimeMeter, measureGameTime } from '../../../src/prediction/snapshots/tempo/gameTimeMeter';
 import { STILL } from '../faults/restingShip';
 
 const MOVING = { ...BODIES[0]!, velocity: [0, 0, 30_000] } as const;

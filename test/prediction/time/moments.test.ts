@@ -1,7 +1,7 @@
 /** Edge cases of timeline and event ledger. */
 import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT } from '../../../src/dynamics';
-import { confirm, createLedger, predict } from '../../../src/prediction/events';
+import { confirm, createLedger, predict } from '../../../src/prediction/events/ledger';
 import { createTimeline, setTempo, writeMoment } from '../../../src/prediction/time/timeline';
 
 const tempo = (tickRate: number, paused = false) => ({ tickRate, timeScale: 1, paused });

@@ -1,6 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT, EVENT_LANDED } from '../../../src/dynamics';
-import { confirm, confirmByState, createLedger, predict, retract } from '../../../src/prediction/events';
+import {
+  confirm,
+  confirmByState,
+  createLedger,
+  predict,
+  retract,
+} from '../../../src/prediction/events/ledger';
 import { createTimeline, setTempo } from '../../../src/prediction/time/timeline';
 import { NO_TOUCHDOWN } from '../../readout/views';
 import { createRig } from '../rig';

@@ -7,7 +7,7 @@ import { updateBodies } from './updateBodies';
 import { isExact } from '../reconcile/adopt';
 import type { Receiver } from '../receiver';
 import type { BodiesOfFrame } from '../snapshotContext';
-import { sameBodies } from '../worldConfig';
+import { sameBodies } from '../../lifecycle/worldConfig';
 
 /** Most ticks over which bodies are advanced just for the comparison. */
 const MAX_CARRIED = 64;

@@ -1,9 +1,9 @@
-import { REFERENCE_BODY } from '../../dynamics';
-import type { Simulation } from '../simulation/simulation';
-import type { Track } from '../simulation/track';
-import { spanOf } from '../time/timeline';
-import type { Place } from './reconcile/compare';
-import type { NewestState } from './snapshotContext';
+import { REFERENCE_BODY } from '../../../dynamics';
+import type { Simulation } from '../../simulation/simulation';
+import type { Track } from '../../simulation/track';
+import { spanOf } from '../../time/timeline';
+import type { Place } from './compare';
+import type { NewestState } from '../snapshotContext';
 
 /**
  * Learns the ground, the body's spin and the fit of the dynamics from a state (PREDICTION, Learned ground).

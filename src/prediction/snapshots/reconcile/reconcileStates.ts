@@ -1,14 +1,14 @@
-import type { ServerFrame, ShipState } from '../../wire';
-import { inferApplied, type InputOutcome, prune } from '../inputs/inputs';
-import { has, offsetOf } from '../simulation/rings/history';
-import { startReplay } from '../simulation/replay';
-import { historyLength } from '../simulation/rings/fitRings';
-import type { Simulation } from '../simulation/simulation';
-import { addTrack, removeTrack } from '../simulation/track';
-import { unknownNameOf } from './reconcile/adopt';
-import { writeBodiesOfFrame } from './bodies/bodiesOfFrame';
-import type { Receiver } from './receiver';
-import { reconcile, showServerState } from './reconcile/reconcile';
+import type { ServerFrame, ShipState } from '../../../wire';
+import { inferApplied, type InputOutcome, prune } from '../../inputs/inputs';
+import { has, offsetOf } from '../../simulation/rings/history';
+import { startReplay } from '../../simulation/replay';
+import { historyLength } from '../../simulation/rings/fitRings';
+import type { Simulation } from '../../simulation/simulation';
+import { addTrack, removeTrack } from '../../simulation/track';
+import { unknownNameOf } from './adopt';
+import { writeBodiesOfFrame } from '../bodies/bodiesOfFrame';
+import type { Receiver } from '../receiver';
+import { reconcile, showServerState } from './reconcile';
 
 /** Compares the newest frame's bodies and ships with the predictions for its tick. */
 export function reconcileStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {

@@ -1,12 +1,12 @@
-import type { ServerFrame } from '../../wire';
-import { forgetAfter } from '../simulation/rings/history';
-import { hold } from '../simulation/replay';
-import type { Simulation } from '../simulation/simulation';
-import { followTickRate, horizonOf } from '../time/cadence';
-import { sampleDown, sentAt } from '../time/clock';
-import { isSameTempo, setTempo, type Span, spanOf, wallOfTick } from '../time/timeline';
-import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
-import type { Receiver } from './receiver';
+import type { ServerFrame } from '../../../wire';
+import { forgetAfter } from '../../simulation/rings/history';
+import { hold } from '../../simulation/replay';
+import type { Simulation } from '../../simulation/simulation';
+import { followTickRate, horizonOf } from '../../time/cadence';
+import { sampleDown, sentAt } from '../../time/clock';
+import { isSameTempo, setTempo, type Span, spanOf, wallOfTick } from '../../time/timeline';
+import { forgetAfter as forgetBodiesAfter } from '../bodies/bodyTrack';
+import type { Receiver } from '../receiver';
 
 /** Takes the clock sample and the tempo of a frame; if the tempo changed, everything after its tick is simulated again. */
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {

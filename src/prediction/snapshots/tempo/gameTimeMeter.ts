@@ -1,4 +1,4 @@
-import type { BodyState, PartialFrame, ShipState } from '../../wire';
+import type { BodyState, PartialFrame, ShipState } from '../../../wire';
 
 /**
  * Game time from one tick to the next, measured from motion (PREDICTION, Timeline): a server may

@@ -1,10 +1,10 @@
-import type { PartialFrame, ServerFrame } from '../../wire';
-import { forgetRecords } from '../inputs/inputs';
-import type { Simulation } from '../simulation/simulation';
-import { sentAt } from '../time/clock';
-import { createTickRateMeter, isTickRate, measureTickRate } from '../time/tickRateMeter';
-import { spanOf } from '../time/timeline';
-import type { Receiver } from './receiver';
+import type { PartialFrame, ServerFrame } from '../../../wire';
+import { forgetRecords } from '../../inputs/inputs';
+import type { Simulation } from '../../simulation/simulation';
+import { sentAt } from '../../time/clock';
+import { createTickRateMeter, isTickRate, measureTickRate } from '../../time/tickRateMeter';
+import { spanOf } from '../../time/timeline';
+import type { Receiver } from '../receiver';
 
 /**
  * Measures the tick rate of a server that has not sent it before a frame that arrived at `now`.

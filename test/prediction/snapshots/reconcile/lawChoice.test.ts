@@ -13,7 +13,7 @@ import { keepState } from '../../../../src/prediction/ground/lastState';
 import { replayTo } from '../../../../src/prediction/ground/trial';
 import { store } from '../../../../src/prediction/inputs/inputs';
 import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrack';
-import { learnFrom } from '../../../../src/prediction/snapshots/learnFrom';
+import { learnFrom } from '../../../../src/prediction/snapshots/reconcile/learnFrom';
 import { chooseMotion } from '../../../../src/prediction/snapshots/reconcile/lawFit';
 import { setTempo } from '../../../../src/prediction/time/timeline';
 import { product, turnAbout } from '../../../dynamics/vectors';

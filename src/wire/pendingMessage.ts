@@ -1,6 +1,7 @@
 import protobuf from 'protobufjs/minimal.js';
 import type { Result } from '../dynamics';
 import type { ServerMessage, WorldEvent } from './records';
+import { notBytes } from './messages/envelope';
 import { decodeServerMessage } from './messages/serverMessage';
 
 /**
@@ -32,11 +33,12 @@ const LENGTH_DELIMITED = 2;
  * ```
  */
 export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
+  const isBytes = notBytes(bytes) === '';
   return {
-    isFrame: bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
+    isFrame: isBytes && bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
     decode: () => decodeServerMessage(bytes),
     events() {
-      const short = mayHaveEvents(bytes) ? withoutShips(bytes) : null;
+      const short = isBytes && mayHaveEvents(bytes) ? withoutShips(bytes) : null;
       if (short === null) return [];
       const decoded = decodeServerMessage(short);
       return decoded.ok && decoded.value.kind === 'frame' ? decoded.value.events : [];

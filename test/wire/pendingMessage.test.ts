@@ -29,6 +29,18 @@ it('reads events beside ships and bodies that are invalid: it does not open thos
   );
 });
 
+it.each([null, undefined, 'text', new ArrayBuffer(2), { data: [18] }, [18, 0]])(
+  'a value that is no bytes is no frame, has no events and is refused: %s',
+  (value) => {
+    const pending = pendingServerMessage(value as never);
+    expect([pending.isFrame, pending.events()]).toEqual([false, []]);
+    expect(pending.decode()).toMatchObject({
+      ok: false,
+      reason: expect.stringMatching(/^message: expected bytes/),
+    });
+  },
+);
+
 it('decodes the whole message, and distinguishes a frame from other messages', () => {
   for (const message of [FRAME, HELLO]) {
     const pending = pendingServerMessage(encodeServerMessage(message));

@@ -208,7 +208,7 @@ function checkGameTime(warn: Warn, grown: number, expected: number): void {
 
 /** `view` was called. */
 export function noteView(warn: Warn, calls: Calls, now: number): void {
-  if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
+  if (calls.advances > 0 && Number.isFinite(now) && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
     const message = `advance is given ${calls.advancedAt} s, view ${now} s: use one clock for both.`;
     warn('two-clocks', message, details);

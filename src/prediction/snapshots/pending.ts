@@ -1,5 +1,6 @@
 import type { PendingMessage } from '../../wire';
 import { wallAt } from '../calls/callTime';
+import { describe } from '../checks/describe';
 import type { Receive } from '../calls/frameCalls';
 import type { Session } from '../session';
 import { MAX_KEPT_EVENTS, type PendingFrames, type Waiting } from './pendingFrames';
@@ -21,6 +22,10 @@ export function receivePending(
 ): void {
   const at = wallAt(session, now);
   if (Number.isNaN(at)) return;
+  if (!isPending(message)) {
+    refuse(session.sim, `message: expected what pendingServerMessage returns, got ${describe(message)}`);
+    return;
+  }
   const { queue, events } = pendingOf(session);
   if (!message.isFrame) {
     decodePending(session, receive);
@@ -32,6 +37,12 @@ export function receivePending(
   events.push(...queue.shift()!.message.events());
   events.splice(0, Math.max(0, events.length - MAX_KEPT_EVENTS));
   session.counters.framesSuperseded += 1;
+}
+
+/** Whether a caller's value has the calls of a pending message: bytes, records and results of a decoder have not. */
+function isPending(value: unknown): boolean {
+  const { decode, events } = (value ?? {}) as Partial<PendingMessage>;
+  return typeof decode === 'function' && typeof events === 'function';
 }
 
 /** Decodes and receives the waiting messages. */

@@ -44,7 +44,7 @@ const BRACE = 0x7b;
 const QUOTE = 0x22;
 
 /** '' for bytes; otherwise what was passed instead, and what to do. */
-function notBytes(value: unknown): string {
+export function notBytes(value: unknown): string {
   if (value instanceof Uint8Array || Object.prototype.toString.call(value) === '[object Uint8Array]')
     return '';
   if (typeof value === 'string') return 'a string: JSON goes to decodeFrameJson';

@@ -100,6 +100,16 @@ describe('advance', () => {
 });
 
 describe('view', () => {
+  it.each([Symbol('now'), 10n, { valueOf: () => Number.parseInt }, [[0]], 'soon', null])(
+    'takes %s for no time of another clock',
+    (now) => {
+      const made = caller();
+      made.advance(2, 1 / 60);
+      made.view(now as never);
+      expect(made.codes()).toEqual([]);
+    },
+  );
+
   it('warns of another clock more than 100 s from that of advance', () => {
     for (const [apart, codes] of [
       [100, []],

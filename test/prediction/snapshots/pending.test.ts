@@ -36,6 +36,20 @@ function waiting() {
   };
 }
 
+it.each([null, undefined, 'bytes', new Uint8Array(3), { ok: true, value: {} }, frameAt(TICK, RATE)])(
+  'a value that is no pending message is refused by name: %s',
+  (value) => {
+    const { session, received, receive, decode } = waiting();
+    receive(value as never, 5);
+    decode();
+    expect(received).toEqual([]);
+    expect(session.counters.framesRefused).toBe(1);
+    expect(session.counters.lastRefusal).toMatch(
+      /^message: expected what pendingServerMessage returns, got ./,
+    );
+  },
+);
+
 describe('frames that wait undecoded', () => {
   it('are received in their order, as of their arrival', () => {
     const { received, receive, decode } = waiting();

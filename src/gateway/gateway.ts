@@ -42,9 +42,9 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   };
   gateway.feed = createFeed(reader, redis, {
     onFrame: (world) => broadcastFrame(gateway, world),
-    onRefused(reason) {
+    onRefused(reason, isNew) {
       gateway.refused += 1;
-      options.log(reason);
+      if (isNew) options.log(reason);
     },
   });
   redis.on('ready', () => gateway.inbox.flush());

@@ -33,7 +33,8 @@ export const METRES: Bound = { low: -1e18, high: 1e18, unit: 'm' };
 export const METRES_PER_SECOND: Bound = { low: -1e9, high: 1e9, unit: 'm/s' };
 export const IMPACT_SPEED: Bound = { low: 0, high: 1e9, unit: 'm/s' };
 export const RADIANS_PER_SECOND: Bound = { low: -1e6, high: 1e6, unit: 'rad/s' };
-export const SHIP_MASS: Bound = { low: 0, high: 1e15, unit: 'kg' };
+/** The heaviest class with the fullest tanks: 1e15 kg each. */
+export const SHIP_MASS: Bound = { low: 0, high: 2e15, unit: 'kg' };
 /** Height of a ship's centre of mass above its feet. */
 export const SHIP_HEIGHT: Bound = { low: 0, high: 1e6, unit: 'm' };
 /** Momentum of reaction wheels. */

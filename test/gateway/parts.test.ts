@@ -212,6 +212,10 @@ it('reads the valid parts of the service’s frame', () => {
     lastInputs: new Map(),
     removed: [{ shipId: '', playerId: '', name: '', reason: '', body: '' }],
   });
+  expect(readWorldFrame('{"tick":1,"ships":[null],"removed":[null]}', () => undefined)).toEqual({
+    ...bare,
+    removed: [],
+  });
   expect(readWorldFrame('{', (reason) => told.push(reason))).toBeNull();
 });
 

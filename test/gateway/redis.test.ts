@@ -4,7 +4,7 @@ import { describe, expect, it, onTestFinished } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
 import { createFeed, type WorldFrame } from '../../src/gateway/redis/feed';
 import { createInbox } from '../../src/gateway/redis/inbox';
-import { encodeFrameJson } from '../../src/wire';
+import { encodeFrameJson, encodeShipStateJson } from '../../src/wire';
 import { EVENT, FRAME } from '../wire/messages';
 
 interface Entry {
@@ -55,14 +55,39 @@ describe('the feed', () => {
     redis.streams.set('touchdown:events', events);
     const told: WorldFrame[] = [];
     const refused: string[] = [];
+    const logged: string[] = [];
     const feed = createFeed(redis.client, redis.client, {
       onFrame: (world) => told.push(world),
-      onRefused: (reason) => refused.push(reason),
+      onRefused(reason, isNew) {
+        refused.push(reason);
+        if (isNew) logged.push(reason);
+      },
     });
     onTestFinished(feed.stop);
     const ticks = () => told.map(({ frame }) => frame.tick);
-    return { ...redis, feed, told, refused, ticks };
+    return { ...redis, feed, told, refused, logged, ticks };
   }
+
+  it('reports a part that stays invalid with each frame, as new only at first', async () => {
+    const { feed, streams, refused, logged, ticks } = follow([]);
+    const stream = streams.get(FRAMES)!;
+    const frameWith = (tick: number, ships: readonly object[]): Entry => ({
+      id: `1-${tick}`,
+      message: { frame: JSON.stringify({ tick, ships }) },
+    });
+    const adrift = (fuel: number) => ({ ...encodeShipStateJson(FRAME.ships[0]!), fuel });
+    void feed.run();
+    const shipsOfTicks = [[adrift(-1)], [adrift(-2), { ship_id: 'b' }], [adrift(-3), null], [], [adrift(-4)]];
+    for (const [tick, ships] of shipsOfTicks.entries()) stream.push(frameWith(tick, ships as object[]));
+    await expect.poll(() => ticks().at(-1)).toBe(4);
+    const fuel = (got: number) => `frame.ships[0].fuel: expected 0 to 2000000000000000 kg, got ${got}`;
+    const [position, notShip] = [
+      'frame.ships[1].position: missing',
+      'frame.ships[1]: expected an object, got null',
+    ];
+    expect(refused).toEqual([fuel(-1), fuel(-2), position, fuel(-3), notShip, fuel(-4)]);
+    expect(logged).toEqual([fuel(-1), position, notShip, fuel(-4)]);
+  });
 
   it('starts with the newest frame, then reads on in order', async () => {
     const { feed, ticks, streams, asked } = follow([frameEntry('1-0', 1), frameEntry('1-1', 2)]);

@@ -33,7 +33,7 @@ export const controls: fc.Arbitrary<Controls> = fc.record({
   targetAttitude: quaternion,
 });
 
-const kilograms = fc.double({ min: 0, max: 1e15, noNaN: true });
+const kilograms = fc.double({ min: 0, max: 2e15, noNaN: true });
 const impactSpeed = fc.double({ min: 0, max: 1e9, noNaN: true });
 
 /** Consistent members: with a relative state there is an impact speed; without one only if it is not 0. */

@@ -45,7 +45,7 @@ it.each([
   [{ angularVelocity: [1e7, 0, 0] }, 'angular_velocity.x: expected -1000000 to 1000000 rad/s, got 10000000'],
   [{ relativePosition: [0, 0, -1e19] }, 'relative_position.z: expected '],
   [{ relativeVelocity: [0, 0, -1e10] }, 'relative_velocity.z: expected '],
-  [{ fuel: -1 }, 'fuel: expected 0 to 1000000000000000 kg, got -1'],
+  [{ fuel: -1 }, 'fuel: expected 0 to 2000000000000000 kg, got -1'],
   [{ mass: -1 }, 'mass: expected 0 to '],
   [{ contactImpactSpeed: -0.5 }, 'contact_impact_speed: expected 0 to 1000000000 m/s, got -0.5'],
 ])('refuses a ship with %j', (change, reason) => {

@@ -24,8 +24,11 @@ export interface Removed {
 
 export interface FeedHandlers {
   readonly onFrame: (world: WorldFrame) => void;
-  /** Called with the reason for each invalid part, and with each reason why Redis cannot be read. */
-  readonly onRefused: (reason: string) => void;
+  /**
+   * Called with the reason for each invalid part, and with each reason why Redis cannot be read. `isNew`: unless the same part of the
+   * frame before was invalid too.
+   */
+  readonly onRefused: (reason: string, isNew: boolean) => void;
 }
 
 export interface Feed {
@@ -51,10 +54,11 @@ const BATCH = 16;
  * @param redis the connection for other requests
  */
 export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
-  const faults = createFaults(handlers.onRefused);
+  const faults = createFaults((line) => handlers.onRefused(line, true));
   const events = createEventReader(redis, faults);
   let newest: WorldFrame | null = null;
   let lastId = '';
+  let refusedParts: ReadonlySet<string> = new Set();
   let stopped = false;
   const isStopped = () => stopped;
 
@@ -89,7 +93,13 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
   }
 
   async function handleFrame(text: string): Promise<void> {
-    const world = readWorldFrame(text, handlers.onRefused);
+    const parts = new Set<string>();
+    const world = readWorldFrame(text, (reason) => {
+      const part = partOf(reason);
+      parts.add(part);
+      handlers.onRefused(reason, !refusedParts.has(part));
+    });
+    refusedParts = parts;
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
     const missed = gap ? await events.missed(newest!.frame.tick, world.frame) : [];
@@ -118,6 +128,11 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];
+
+/** The path that a refusal begins with: the value after it may change from frame to frame. */
+function partOf(refusal: string): string {
+  return refusal.slice(0, refusal.indexOf(': '));
+}
 
 /** Compares stream IDs, "milliseconds-count". */
 function isBefore(a: string, b: string): boolean {
@@ -182,7 +197,9 @@ function removedOf(removed: unknown, events: readonly WorldEvent[]): Removed[] {
 
 function listOf(value: unknown): Record<string, unknown>[] {
   return Array.isArray(value)
-    ? (value as Record<string, unknown>[]).filter((item) => typeof item === 'object')
+    ? (value as (Record<string, unknown> | null)[]).filter(
+        (item) => typeof item === 'object' && item !== null,
+      )
     : [];
 }
 

@@ -173,6 +173,17 @@ class Clock(WithService):
         self.until(lambda: self.tick() > before + 5, "it ticks on")
         self.assertEqual(frames(self.client)[-1]["tick_rate"], 50)
 
+    def test_values_that_stay_invalid_are_logged_once_each(self) -> None:
+        rate, scale = "game:tick_rate: expected >= 0.1 Hz, got -3", "game:time_scale: expected a number, got 'fast'"
+        self.client.mset({"game:tick_rate": "-3", "game:time_scale": "fast"})
+        self.until(lambda: rate in self.service.words() and scale in self.service.words(), "both are told")
+        for value, what in (("-3", "both stay"), ("50", "one is valid again"), ("-3", "and invalid again")):
+            self.client.set("game:tick_rate", value)
+            before = self.tick()
+            self.until(lambda before=before: self.tick() > before + 5, what)
+        words = self.service.words()
+        self.assertEqual([words.count(rate), words.count(scale)], [2, 1], words)
+
     def test_bodies_are_written_each_tenth_tick(self) -> None:
         seen = set()
         self.until(lambda: seen.add(int(self.client.hget("body:Luna", "tick") or 0)) or len(seen) > 3, "three writes")

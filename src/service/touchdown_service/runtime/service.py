@@ -41,6 +41,8 @@ class Service:
         # Lag of game time behind wall time, wall s.
         self.lost = 0.0
         self.refused = ""
+        # Refusals of the last boundary: a value that stays invalid is logged once, however many there are.
+        self.standing: frozenset[str] = frozenset()
         self.tick_ms = 0.0
         self.clock_offset = 0.0
         self.clock_read = float("-inf")
@@ -125,10 +127,12 @@ class Service:
         if galaxy.tempo.time_sync:
             self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.requested_scale - 1) / galaxy.tempo.tick_rate
         galaxy.tempo, refusals = next_tempo(galaxy.tempo, requests.values, self.lost)
-        for refusal in requests.refusals + refusals:
-            if refusal != self.refused:
+        standing = requests.refusals + refusals
+        for refusal in standing:
+            if refusal not in self.standing:
                 log.warning("%s", refusal)
-            self.refused = refusal
+                self.refused = refusal
+        self.standing = frozenset(standing)
 
     def wait_until(self, due: float) -> bool:
         """Waits until `due`, by the local clock; False if stopped before."""

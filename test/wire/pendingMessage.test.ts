@@ -34,10 +34,8 @@ it.each([null, undefined, 'text', new ArrayBuffer(2), { data: [18] }, [18, 0]])(
   (value) => {
     const pending = pendingServerMessage(value as never);
     expect([pending.isFrame, pending.events()]).toEqual([false, []]);
-    expect(pending.decode()).toMatchObject({
-      ok: false,
-      reason: expect.stringMatching(/^message: expected bytes/),
-    });
+    const decoded = pending.decode();
+    expect(decoded.ok ? '' : decoded.reason).toMatch(/^message: expected bytes/);
   },
 );
 

@@ -58,7 +58,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
   const events = createEventReader(redis, faults);
   let newest: WorldFrame | null = null;
   let lastId = '';
-  let refusedParts: ReadonlySet<string> = new Set();
+  const read = createFrameReader(handlers.onRefused);
   let stopped = false;
   const isStopped = () => stopped;
 
@@ -93,13 +93,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
   }
 
   async function handleFrame(text: string): Promise<void> {
-    const parts = new Set<string>();
-    const world = readWorldFrame(text, (reason) => {
-      const part = partOf(reason);
-      parts.add(part);
-      handlers.onRefused(reason, !refusedParts.has(part));
-    });
-    refusedParts = parts;
+    const world = read(text);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
     const missed = gap ? await events.missed(newest!.frame.tick, world.frame) : [];
@@ -128,6 +122,21 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];
+
+/** Reads one frame after another, and tells refusals of parts that were invalid in the frame before from new ones. */
+function createFrameReader(onRefused: FeedHandlers['onRefused']) {
+  let before: ReadonlySet<string> = new Set();
+  return (text: string) => {
+    const parts = new Set<string>();
+    const world = readWorldFrame(text, (reason) => {
+      const part = partOf(reason);
+      parts.add(part);
+      onRefused(reason, !before.has(part));
+    });
+    before = parts;
+    return world;
+  };
+}
 
 /** The path that a refusal begins with: the value after it may change from frame to frame. */
 function partOf(refusal: string): string {

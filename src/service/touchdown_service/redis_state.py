@@ -54,8 +54,8 @@ class RedisState:
         self.members: set[str] = set()
         # Marker of the last transaction read or written; any other value means that another service wrote.
         self.commit_id: str | None = None
-        # Why the last invalid ship was left out.
-        self.refused = ""
+        # Why parts of the world were left out when it was loaded last.
+        self.refusals: list[str] = []
 
     def create(self, definition: dict[str, Any]) -> None:
         """Creates the world if there is none; its bodies are the state at tick 0."""
@@ -69,6 +69,7 @@ class RedisState:
 
     def load(self) -> Galaxy | None:
         """The world at the last committed tick, or None without one. Raises Refusal if it is invalid."""
+        self.refusals = []
         pipe = self.client.pipeline(transaction=True)
         pipe.get(WORLD).get(BODIES).hgetall(CLOCK).get(PENDING)
         definition, bodies, clock, pending = pipe.execute(raise_on_error=False)
@@ -90,7 +91,7 @@ class RedisState:
             load_pending(galaxy, "{}" if pending is None else pending, PENDING)
         except Refusal as refusal:
             # Invalid scheduled inputs must not prevent the world from loading.
-            self.refused = str(refusal)
+            self.refusals.append(str(refusal))
         return galaxy
 
     def load_ships(self, galaxy: Galaxy) -> None:
@@ -113,7 +114,7 @@ class RedisState:
                     galaxy.landings[ship_id] = landing = load_landing(maneuver, f"maneuver:{ship_id}")
                     self.landings[ship_id] = landing_values(landing)
             except Refusal as refusal:
-                self.refused = str(refusal)
+                self.refusals.append(str(refusal))
 
     def read_requests(self, cursor: str) -> Requests:
         pipe = self.client.pipeline(transaction=False)

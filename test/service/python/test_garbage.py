@@ -72,7 +72,7 @@ class Stored(unittest.TestCase):
             service.lease.take_over()
             service.run_boundary(galaxy, time.monotonic())
             self.raw.delete("touchdown:lease")
-        return service.state.refused
+        return "; ".join(service.state.refusals)
 
     def test_a_text_that_is_none_of_its_own_is_refused(self) -> None:
         for key in ("touchdown:world", "touchdown:bodies", "touchdown:pending"):

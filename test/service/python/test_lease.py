@@ -72,6 +72,21 @@ class Damage(WithService):
         self.assertEqual([s["ship_id"] for s in frames(self.client)[-1]["ships"]], ["s2"])
         self.assertIn("ship:s1.attitude: expected JSON", self.client.hget("touchdown:status", "refused"))
 
+    def test_each_ship_that_cannot_be_read_is_named_until_the_world_has_none(self) -> None:
+        for ship_id in ("s1", "s2"):
+            self.send("spawn", **lander(ship_id, height=3000))
+        self.service.kill()
+        for ship_id in ("s1", "s2"):
+            self.client.hset(f"ship:{ship_id}", "attitude", "upright")
+        at = self.tick()
+        self.service = ServiceProcess(self.redis)
+        self.until(lambda: self.tick() > at, "it goes on")
+        # A new world in the same Redis, as after a restart without its data.
+        self.client.flushall()
+        self.until(lambda: 0 < self.tick() < at, "it has begun again")
+        named = [self.service.words().count(f"ship:{ship_id}.attitude: expected JSON") for ship_id in ("s1", "s2")]
+        self.assertEqual(named, [1, 1], self.service.words())
+
     def test_a_key_of_another_kind_is_survived(self) -> None:
         for ship_id in ("s1", "s2"):
             self.send("spawn", **lander(ship_id, height=3000))

@@ -77,9 +77,8 @@ class Service:
         if galaxy.tick == 0:
             # A new world starts with the requested tempo.
             self.settle(galaxy, self.state.read_requests(galaxy.cursor))
-        if self.state.refused:
-            log.warning("%s", self.state.refused)
-            self.refused = self.state.refused
+        for self.refused in self.state.refusals:
+            log.warning("%s", self.refused)
         return galaxy
 
     def run_ticks(self, galaxy: Galaxy) -> None:

@@ -32,11 +32,12 @@ export function coveredBy(window: Window, part: Part): { readonly top: number; r
   return { top, bottom };
 }
 
-/** Keeps the ship between the panels over the picture. */
+/** Keeps the ship between the panels over the picture, and the score card above those at its lower edge. */
 export function watchMargins(window: Window & typeof globalThis, part: Part, sceneView: SceneView): void {
   const observer = new window.ResizeObserver(() => {
     const { top, bottom } = coveredBy(window, part);
     sceneView.setMargins(top, bottom);
+    part('top').style.setProperty('--below', `${bottom}px`);
   });
   for (const id of ['picture', 'goal', 'card', 'foot', 'flight', 'pads']) observer.observe(part(id));
 }

@@ -6,59 +6,15 @@ import { describeInBrowser, openBuiltPage } from '../pages';
 import type { PageOptions } from '../pages';
 import { SMALL, untilDrawn } from '../waits';
 import { WINDOW_SIZES } from '../windowSizes';
-
-const USUAL_LETTERS = { fontSizes: { standard: 16, fixed: 13 } };
-const LARGE_LETTERS = { fontSizes: { standard: 32, fixed: 26 } };
-
-/** Parts of the page that are cut off, wider than the window, or cover something that must be visible. */
-function pageMisfits(page: Page): Promise<string[]> {
-  return page.evaluate(() => {
-    const out: string[] = [];
-    const boxOf = (id: string) => {
-      const part = document.getElementById(id)!;
-      return part.checkVisibility() ? part.getBoundingClientRect() : null;
-    };
-    for (const id of ['goal', 'banner', 'notice', 'card', 'pads', 'panel', 'foot', 'flight', 'hud']) {
-      const box = boxOf(id);
-      if (box === null || box.width === 0) continue;
-      if (box.left < -0.5 || box.right > innerWidth + 0.5) out.push(`${id} is wider than the window`);
-      const part = document.getElementById(id)!;
-      if (part.scrollWidth > part.clientWidth + 1) out.push(`${id} is cut off at its side`);
-    }
-    const [goal, pads, picture] = ['goal', 'pads', 'picture'].map(boxOf);
-    if (goal && pads && goal.bottom > pads.top) out.push('goal and pads overlap');
-    if (pads && picture && pads.height > 0.6 * picture.height) out.push('pads cover the picture');
-    if (goal && goal.bottom > innerHeight) out.push('the goal is below the fold');
-    if (document.documentElement.scrollWidth > innerWidth) out.push('the page scrolls sideways');
-    return out;
-  });
-}
-
-/** Faults of the page as it is, and with letters of 200 %. */
-async function faultsOf(page: Page): Promise<string[]> {
-  const faults = async () => [...(await misfits(page)), ...(await pageMisfits(page))];
-  const found = await faults();
-  await setLetters(page, LARGE_LETTERS);
-  await untilDrawn(page);
-  found.push(...(await faults()).map((fault) => `200 %: ${fault}`));
-  await setLetters(page, USUAL_LETTERS);
-  return found;
-}
-
-async function setLetters(page: Page, letters: typeof USUAL_LETTERS): Promise<void> {
-  const cdp = await page.context().newCDPSession(page);
-  await cdp.send('Page.setFontSizes', letters);
-  await expect
-    .poll(() => page.evaluate(() => getComputedStyle(document.documentElement).fontSize))
-    .toBe(`${letters.fontSizes.standard}px`);
-  await cdp.detach();
-}
-
-/** Gives the window another size, which the page has when this resolves. */
-async function resize(page: Page, width: number, height: number): Promise<void> {
-  await page.setViewportSize({ width, height });
-  await untilDrawn(page);
-}
+import {
+  faultsOf,
+  freeShare,
+  LARGE_LETTERS,
+  resize,
+  setLetters,
+  showCard,
+  USUAL_LETTERS,
+} from '../windowFit';
 
 /** A page that the tests of a block share. In slow motion it is still in the first seconds of the flight for the last of them. */
 async function openSlowly(options: PageOptions): Promise<Page> {
@@ -81,6 +37,17 @@ describeInBrowser('the built page by fingers, in any window', () => {
       expect(await faultsOf(page)).toEqual([]);
     },
   );
+
+  it.each([
+    [320, 568],
+    [390, 844],
+  ])('%i × %i: a long card after the flight ends above the ship', async (width, height) => {
+    await resize(page, width, height);
+    await showCard(page, 60);
+    expect((await page.locator('#card').boundingBox())!.height).toBeGreaterThan(100);
+    expect(await freeShare(page, '#card', '.thumb-middle')).toBeGreaterThanOrEqual(0.2);
+    await showCard(page, 0);
+  });
 
   it.each([
     [1024, 768],
@@ -168,21 +135,36 @@ describeInBrowser('the built page in any window', () => {
   it.each([
     [960, 540],
     [1280, 720],
-  ])('%i × %i: a long card ends above the instruments', async (width, height) => {
-    await resize(page, width, height);
-    const write = (text: string) =>
-      page.evaluate((words) => {
-        const card = document.getElementById('card')!;
-        card.textContent = words;
-        card.hidden = words === '';
-      }, text);
-    await write('A line of the score.\n'.repeat(60));
-    const [card, foot] = await Promise.all(
-      ['#card', '#foot'].map((part) => page.locator(part).boundingBox()),
-    );
-    expect(card!.height).toBeGreaterThan(100);
-    expect(card!.y + card!.height).toBeLessThanOrEqual(foot!.y);
-    await write('');
+  ])(
+    '%i × %i: a long card after the flight ends above the ship, and that above the instruments',
+    async (width, height) => {
+      await resize(page, width, height);
+      await showCard(page, 60);
+      expect((await page.locator('#card').boundingBox())!.height).toBeGreaterThan(100);
+      expect(await freeShare(page, '#card', '#foot')).toBeGreaterThanOrEqual(0.2);
+      await showCard(page, 0);
+    },
+  );
+
+  it('leaves the ship in sight with the workshop open on a small laptop, with its figures too', async () => {
+    await resize(page, 960, 540);
+    const workshop = page.locator('summary', { hasText: 'Workshop' });
+    await workshop.click();
+    await page.waitForSelector('#dock .strip');
+    const expectRoom = async () => {
+      await untilDrawn(page);
+      expect(await freeShare(page, '#goal', '#foot')).toBeGreaterThanOrEqual(0.2);
+      expect(await misfits(page)).toEqual([]);
+    };
+    await expectRoom();
+    expect(await freeShare(page, '#panel', '#flight')).toBeGreaterThanOrEqual(0);
+    const figures = page.locator('summary', { hasText: 'Figures' });
+    await figures.click();
+    await expectRoom();
+    expect(await freeShare(page, '#panel', '#dock')).toBeGreaterThanOrEqual(0);
+    await figures.click();
+    await workshop.click();
+    await page.waitForSelector('#dock .strip', { state: 'hidden' });
   });
 
   it('the beacon’s dial shares its row with the landing aids, without them with the attitude', async () => {

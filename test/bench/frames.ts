@@ -17,7 +17,7 @@ import { build } from 'vite';
 import { findChromium, launchChromium, PAINT_DIRECTLY } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
 import { hudPaintFigures, serveHudPage } from './frames/hudPaint';
-import { leaveOutTriangles } from '../browser/leaveOutTriangles';
+import { leaveOutTriangles } from '../browser/webgl';
 import { openingFigures } from './frames/opening';
 import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
 import type { Figure } from './measure';

@@ -9,7 +9,7 @@ import type { CDPSession } from 'playwright-core';
 import { build } from 'vite';
 import { findChromium, launchChromium } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
-import { leaveOutTriangles } from '../browser/leaveOutTriangles';
+import { leaveOutTriangles } from '../browser/webgl';
 import { createHeapReader, type HeapReader } from './frames/heapReader';
 
 const FLEET = 199;

@@ -6,7 +6,7 @@
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
 import { connectToChromium } from './chromium';
-import { leaveOutTriangles } from './leaveOutTriangles';
+import { leaveOutTriangles, refuseWebGL } from './webgl';
 
 export interface PageOptions {
   /** Size of the window in CSS pixels; 1280 × 720 by default. */
@@ -25,6 +25,8 @@ export interface PageOptions {
   readonly framesPerSecond?: number;
   /** Whether the page's triangles are drawn, in software, which takes most of a test's time; true by default. */
   readonly drawn?: boolean;
+  /** Whether the browser has WebGL; without it the page flies on instruments, and loads for half the work. True by default. */
+  readonly hasWebGL?: boolean;
   /** Done to the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
@@ -61,13 +63,17 @@ export function problemsOf(page: Page): readonly string[] {
   return problems.get(page) ?? [];
 }
 
-function watchForProblems(page: Page): void {
+/** What three says where there is no WebGL, besides throwing; the page shows a notice. */
+const NO_CONTEXT = 'THREE.WebGLRenderer: THREE.WebGLRenderer: Error creating WebGL context.';
+
+function watchForProblems(page: Page, hasWebGL: boolean): void {
   const found: string[] = [];
   problems.set(page, found);
   page.on('pageerror', (error) => found.push(`uncaught: ${error.message}`));
   page.on('crash', () => found.push('the page crashed'));
   page.on('console', (message) => {
-    if (message.type() === 'error') found.push(`console: ${message.text()}`);
+    if (message.type() !== 'error' || (!hasWebGL && message.text() === NO_CONTEXT)) return;
+    found.push(`console: ${message.text()}`);
   });
   page.on('requestfailed', (request) => {
     found.push(`request: ${request.url()} ${request.failure()?.errorText ?? ''}`);
@@ -100,7 +106,7 @@ function reportProbe(path: string, block: number): void {
 
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
-  const { framesPerSecond, drawn = true, prepare, ...given } = options;
+  const { framesPerSecond, drawn = true, hasWebGL = true, prepare, ...given } = options;
   const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
   const running = await theBrowser();
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
@@ -108,9 +114,10 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   // Of the context: a second page that a test opens in it is spared the same work.
   if (process.env['TOUCHDOWN_PROBES']) await context.exposeFunction('touchdownReport', reportProbe);
   if (framesPerSecond !== undefined) await limitFrames(context, framesPerSecond);
-  if (!drawn) await context.addInitScript(leaveOutTriangles);
+  if (!hasWebGL) await context.addInitScript(refuseWebGL);
+  else if (!drawn) await context.addInitScript(leaveOutTriangles);
   const page = await context.newPage();
-  watchForProblems(page);
+  watchForProblems(page, hasWebGL);
   // Not the state of `expect`: in a later beforeAll that still names the test before.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   await prepare?.(page);

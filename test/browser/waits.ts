@@ -13,6 +13,9 @@ export const SMALL = {
 /** The same with enough frames for work done per frame, like steering. */
 export const FLUENT = { ...SMALL, deviceScaleFactor: 0.25, framesPerSecond: 15 } as const;
 
+/** Options for tests of neither picture nor camera: the page has no scene. */
+export const ON_INSTRUMENTS = { ...SMALL, hasWebGL: false } as const;
+
 /** Options for tests of what is stored for offline use. */
 export const KEPT = { ...SMALL, serviceWorkers: 'allow' } as const;
 

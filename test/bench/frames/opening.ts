@@ -1,6 +1,6 @@
 import type { Browser } from 'playwright-core';
 import { type Figure, figure } from '../measure';
-import { leaveOutTriangles } from '../../browser/leaveOutTriangles';
+import { leaveOutTriangles } from '../../browser/webgl';
 
 /** Openings that are measured, each with a cache of its own. */
 const TIMES = 5;

@@ -64,7 +64,7 @@ describeInBrowser('on the built page', () => {
       await opened.addInitScript(plugIn);
       await opened.addInitScript(listenIn);
     };
-    page = await openBuiltPage('', { ...FLUENT, prepare });
+    page = await openBuiltPage('', { ...FLUENT, hasWebGL: false, prepare });
     await page.waitForSelector('html[data-ready=true]');
   });
   afterAll(() => page.context().close());
@@ -133,6 +133,7 @@ describeInBrowser('fingers on the built page', () => {
   it('tilt, push and lift at once, move the lever, let go, and scroll what is below the picture', async () => {
     const page = await openBuiltPage('', {
       ...FLUENT,
+      hasWebGL: false,
       viewport: { width: 390, height: 844 },
       hasTouch: true,
       isMobile: true,

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
-import { SMALL, untilBanner, untilStatus } from '../waits';
+import { ON_INSTRUMENTS, untilBanner, untilStatus } from '../waits';
 
 const throttleOf = (page: Page) => page.locator('.td-lever').getAttribute('aria-valuenow').then(Number);
 
@@ -60,7 +60,7 @@ const LAYOUTS = [
 describeInBrowser('keys on the built page', () => {
   let page: Page;
   beforeAll(async () => {
-    page = await openBuiltPage('?scenario=launch', SMALL);
+    page = await openBuiltPage('?scenario=launch', ON_INSTRUMENTS);
   });
   beforeEach(async () => {
     await page.getByRole('button', { name: 'Restart', exact: true }).click();

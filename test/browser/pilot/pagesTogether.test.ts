@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage } from '../pages';
-import { SMALL, untilStatus } from '../waits';
+import { ON_INSTRUMENTS, untilStatus } from '../waits';
 
 /** Names and states of the fleet display's rows, as "Bob CONTACT". */
 const fleetOf = (page: Page) =>
@@ -52,7 +52,7 @@ describeInBrowser('two tabs on one world', () => {
   it('see each other by name, fly their own ships, and see each other bounce', async () => {
     // Over twice the Moon's gravity: a flight of seconds.
     const prepare = (page: Page) => page.addInitScript(listen);
-    const host = await openBuiltPage('?scenario=settle&body=Mars&name=Ann', { ...SMALL, prepare });
+    const host = await openBuiltPage('?scenario=settle&body=Mars&name=Ann', { ...ON_INSTRUMENTS, prepare });
     await untilStatus(host, 'landed');
     await host.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await host.getByRole('button', { name: 'Fly together' }).click();

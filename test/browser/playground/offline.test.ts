@@ -6,9 +6,13 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, inject, it, onTestFinished } from 'vitest';
 import { describeInBrowser, openUrl, problemsOf } from '../pages';
+import type { PageOptions } from '../pages';
 import { serveFolder } from '../staticServer';
 import type { Fault, StaticServer } from '../staticServer';
 import { KEPT, SMALL } from '../waits';
+
+/** What is stored is the same without a scene, which takes half of each load. */
+const KEPT_WITHOUT_SCENE = { ...KEPT, hasWebGL: false };
 
 const BUILT = inject('builtFolder');
 
@@ -58,8 +62,8 @@ async function openPlots(page: Page): Promise<void> {
 }
 
 /** Opens the page and waits until the browser has stored all of it. */
-async function openAndKeep(server: Deployment): Promise<Page> {
-  const page = await openUrl(`${server.url}?scenario=settle&slow=4`, KEPT);
+async function openAndKeep(server: Deployment, options: PageOptions = KEPT_WITHOUT_SCENE): Promise<Page> {
+  const page = await openUrl(`${server.url}?scenario=settle&slow=4`, options);
   await untilStored(page);
   return page;
 }
@@ -104,7 +108,7 @@ const isOffline = async (page: Page) =>
 describeInBrowser('the built page without its host', () => {
   it('opens at any link to it, lands, and fetches nothing more when plots are first opened', async () => {
     const server = await deploy();
-    const page = await openAndKeep(server);
+    const page = await openAndKeep(server, KEPT);
     await server.close();
     await page.goto(`${server.url}index.html?scenario=settle&seed=4&slow=4`);
     await page.waitForSelector('html[data-status=landed]');
@@ -150,7 +154,7 @@ describeInBrowser('the built page with a failing host', () => {
     };
     // Observed from the start: a failed worker leaves no registration.
     const prepare = (opened: Page) => opened.addInitScript(noteInstallation);
-    const page = await openUrl(`${server.url}?scenario=settle`, { ...KEPT, prepare });
+    const page = await openUrl(`${server.url}?scenario=settle`, { ...KEPT_WITHOUT_SCENE, prepare });
     await untilRunning(page);
     const settled = page.evaluate(() => (window as unknown as InstallationWindow).installed);
     expect(await settled).toBe('redundant');

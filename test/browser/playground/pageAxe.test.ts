@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { LESSONS } from '../../../src/scenarios';
 import { axeFaults } from '../axe';
 import { describeInBrowser, openBuiltPage } from '../pages';
-import { SMALL, untilBanner, untilStatus } from '../waits';
+import { ON_INSTRUMENTS, SMALL, untilBanner, untilStatus } from '../waits';
 
 const chooseMission = async (page: Page, name: string) => {
   await page.getByLabel('Mission').selectOption(name);
@@ -40,7 +40,7 @@ describeInBrowser('axe finds nothing on the built page', () => {
   });
 
   it('landed with a score, tipped, crashed, in a replay, and where a link is shown', async () => {
-    const page = await openBuiltPage('?scenario=first-landing&slow=4', SMALL);
+    const page = await openBuiltPage('?scenario=first-landing&slow=4', ON_INSTRUMENTS);
     const found: string[] = [];
     const check = async (state: string) =>
       found.push(...(await axeFaults(page)).map((fault) => `${state}: ${fault}`));
@@ -67,7 +67,12 @@ describeInBrowser('axe finds nothing on the built page', () => {
   });
 
   it('with a server that does not answer, on a phone', async () => {
-    const phone = { ...SMALL, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+    const phone = {
+      ...ON_INSTRUMENTS,
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+    };
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', phone);
     await untilBanner(page, 'Nothing answers');
     expect(await axeFaults(page)).toEqual([]);

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../../src/dynamics';
 import { runScenario, SCENARIOS } from '../../../src/scenarios';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf } from '../pages';
-import { FLUENT, PATIENT, SLOW, SMALL, untilStatus, untilTiltBelow } from '../waits';
+import { FLUENT, ON_INSTRUMENTS, PATIENT, SLOW, SMALL, untilStatus, untilTiltBelow } from '../waits';
 
 /**
  * Tick and bits of the player's ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
@@ -54,7 +54,7 @@ describeInBrowser('a run on the built page', () => {
   });
 
   it('shares a link that ends in the same bits', async () => {
-    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.6', SMALL);
+    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.6', ON_INSTRUMENTS);
     // No speed of the list.
     expect(await page.getByLabel('Speed').evaluate((list: HTMLSelectElement) => list.value)).toBe('0.6');
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -65,14 +65,16 @@ describeInBrowser('a run on the built page', () => {
       .poll(async () => (link = await page.evaluate(() => navigator.clipboard.readText())))
       .toContain('net=fourG');
     expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=0.6');
-    const again = await openUrl(link, SMALL);
+    const again = await openUrl(link, ON_INSTRUMENTS);
     const [run, shared] = await Promise.all([endOfRun(page, 8), endOfRun(again, 8)]);
     expect(shared).toBe(run);
   });
 
   it('shares a scenario with planned inputs: the same bits on a slow display too', async () => {
     const query = '?scenario=freighter-hold&net=satellite&seed=3';
-    const pages = await Promise.all([FLUENT, SLOW].map((display) => openBuiltPage(query, display)));
+    const pages = await Promise.all(
+      [FLUENT, SLOW].map((display) => openBuiltPage(query, { ...display, hasWebGL: false })),
+    );
     const run = scenarioRun('freighter-hold');
     expect(await Promise.all(pages.map((page) => endOfRun(page, 15)))).toEqual([run, run]);
   });

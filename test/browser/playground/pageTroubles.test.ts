@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage } from '../pages';
 import type { PageOptions } from '../pages';
-import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
+import { ON_INSTRUMENTS, shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
 
 /** The page's panels that are drawn: their outlines, too, are seen. */
 function panelsOn(page: Page): Promise<string[]> {
@@ -66,7 +66,7 @@ describeInBrowser('the built page of a link with invalid values', () => {
 
 describeInBrowser('the built page, when something is wrong', () => {
   it('names the server that cannot be reached', async () => {
-    const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
+    const page = await openBuiltPage('?server=ws://127.0.0.1:9/', ON_INSTRUMENTS);
     await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');
     // Displays without numbers are not shown.
     expect(await panelsOn(page)).toEqual(['panel']);

@@ -10,12 +10,26 @@ interface AxeWindow {
   axe?: { run: (context: unknown, options: RunOptions) => Promise<AxeResults> };
 }
 
+/** The rules that depend on colours. */
+export const OF_COLOUR = ['color-contrast', 'link-in-text-block'];
+
+export interface AxeOptions {
+  /** Selector of the part that is checked; the rules about documents are left out with it. The whole document by default. */
+  readonly within?: string;
+  /** The rules by which it is checked, all by default. */
+  readonly rules?: readonly string[] | undefined;
+}
+
 /** One line per element: the rule and the place. Injected through the debugger, since a page's policy forbids foreign scripts. */
-export async function axeFaults(page: Page): Promise<string[]> {
+export async function axeFaults(page: Page, { within, rules }: AxeOptions = {}): Promise<string[]> {
   if (await page.evaluate(() => (window as unknown as AxeWindow).axe === undefined)) await page.evaluate(AXE);
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as Required<AxeWindow>;
-    const { violations } = await axe.run(document, { resultTypes: ['violations'] });
-    return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
-  });
+  const options: RunOptions = { resultTypes: ['violations'], ...(rules && { runOnly: [...rules] }) };
+  return page.evaluate(
+    async ([part, how]) => {
+      const { axe } = window as unknown as Required<AxeWindow>;
+      const { violations } = await axe.run(part ?? document, how);
+      return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
+    },
+    [within, options] as const,
+  );
 }

@@ -59,7 +59,7 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
       (world) => {
         gateway.world = world;
       },
-      // Redis is unavailable; the next one asks again.
+      // Redis is unavailable: the next interval tries again.
       () => undefined,
     );
   }, PUMP_INTERVAL);

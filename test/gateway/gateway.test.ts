@@ -154,7 +154,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     await expect.poll(() => logged).toContain('touchdown:inbox: expected a stream');
     expect(gateway.health()).toMatchObject({ tick: 7, ships: 1, clients: 1 });
     await redis.del(['touchdown:frames', 'touchdown:inbox']);
-    // The gap in ticks makes the gateway ask for the events between them.
+    // The gap in ticks makes the gateway read the events between them.
     await redis.lPush('touchdown:events', 'x');
     await writeFrame(9);
     await expect.poll(() => gateway.health()['tick']).toBe(9);

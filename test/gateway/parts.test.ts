@@ -219,6 +219,12 @@ it('reads the valid parts of the service’s frame', () => {
   expect(readWorldFrame('{', (reason) => told.push(reason))).toBeNull();
 });
 
+it('a world frame without its null ships, inputs and removals is valid', () => {
+  const sent = { tick: 1, ships: [null, { ship_id: 'a', last_input: null }], removed: [null, 5] };
+  const world = readWorldFrame(JSON.stringify(sent), () => undefined);
+  expect(world).toMatchObject({ frame: { tick: 1 }, lastInputs: new Map(), removed: [] });
+});
+
 it.each([
   ['{', 'message: not JSON'],
   ['5', 'message: expected an object'],

@@ -50,7 +50,7 @@ const BATCH = 16;
 
 /**
  * Reads the service's frames in order, from the newest on.
- * @param reader a connection of its own, since reads block
+ * @param reader a separate connection, since its reads block
  * @param redis the connection for other requests
  */
 export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
@@ -80,7 +80,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
 
   /** Takes the newest frame in Redis. */
   async function begin(): Promise<void> {
-    const entry = (await redis.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
+    const entry = await newestEntry(redis);
     if (entry === undefined) return;
     lastId = entry.id;
     await handleFrame(entry.message['frame'] ?? '');
@@ -88,7 +88,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
 
   /** Starts over if Redis restarted without its last entries: its IDs then continue from an earlier one. */
   async function rewindIfLost(): Promise<void> {
-    const entry = (await redis.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
+    const entry = await newestEntry(redis);
     if (entry !== undefined && isBefore(entry.id, lastId)) lastId = '';
   }
 
@@ -119,6 +119,10 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
       }
     },
   };
+}
+
+async function newestEntry(redis: RedisClientType) {
+  return (await redis.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];
@@ -182,8 +186,8 @@ export function readWorldFrame(text: string, onRefused: (reason: string) => void
 function lastInputsOf(ships: unknown): WorldFrame['lastInputs'] {
   const found = new Map<string, InputAcknowledgement & { session: string }>();
   for (const ship of listOf(ships)) {
-    const last = ship['last_input'] as Record<string, unknown> | undefined;
-    if (last === undefined || typeof last !== 'object') continue;
+    const last = ship['last_input'];
+    if (!isRecord(last)) continue;
     const { session, seq, tick, substep, margin } = last;
     const numbers = [seq, tick, substep, margin];
     if (typeof session !== 'string' || !numbers.every((value) => typeof value === 'number')) continue;
@@ -205,11 +209,11 @@ function removedOf(removed: unknown, events: readonly WorldEvent[]): Removed[] {
 }
 
 function listOf(value: unknown): Record<string, unknown>[] {
-  return Array.isArray(value)
-    ? (value as (Record<string, unknown> | null)[]).filter(
-        (item) => typeof item === 'object' && item !== null,
-      )
-    : [];
+  return Array.isArray(value) ? value.filter(isRecord) : [];
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null;
 }
 
 function textOf(value: unknown): string {

@@ -25,7 +25,7 @@ export interface SharedFrame {
   ) => Uint8Array;
 }
 
-/** Fields that the game's own state message does not have. They are left out on /ws, so that a client meets the game's format exactly. */
+/** Fields that the game's own state message does not have. They are left out on /ws, so that a client receives exactly the game's format. */
 const EXTENSION_FIELDS = [
   'contact_impact_speed',
   'reference_body',

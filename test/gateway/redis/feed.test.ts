@@ -12,7 +12,7 @@ interface Entry {
 
 const FRAMES = 'touchdown:frames';
 
-/** Streams in memory; a read that finds nothing new says so at once, as after its wait. */
+/** Streams in memory; a read that finds nothing new returns null at once, as after its wait. */
 function fakeRedis() {
   const streams = new Map<string, Entry[]>();
   const asked: string[] = [];

@@ -30,7 +30,7 @@ const declareSourcePlace = {
   },
 };
 
-/** As vite.config.ts has it for the page, and says why. */
+/** As for the page; vite.config.ts has the reasons. */
 const OUTPUT = { sourcemap: true, topLevelVar: false };
 
 /** Input of the bundler: entries (absolute paths) by name, the packages to take into the bundle. */
@@ -134,7 +134,7 @@ let together = Promise.resolve(new Map());
 /** Bundles the test files (absolute paths) of a run, each group together: call before the run loads them. */
 export function bundleRun(groups) {
   folder ??= bundlesFolder();
-  // A folder of its own: a process that continues from the previous run must not use that run's files.
+  // A new folder: a process that continues from the previous run must not use that run's files.
   // If a group cannot be bundled, each file is bundled by itself: the faulty one reports its error, and the others run.
   const made = groups.map((tests) =>
     bundleTogether(tests, join(folder, String(count++))).catch(() => new Map()),

@@ -54,7 +54,7 @@ export interface Authority {
   setPaused: (paused: boolean) => void;
   /**
    * Only while paused: the next `tick` simulates one interval, then pauses again. A 'substep' is an interval of one substep at
-   * 100 Hz, so that a client needs nothing but frames. Send the frame before it too: it carries the tempo.
+   * 100 Hz, so that a client needs nothing but frames. Send the frame before it too: it has the tempo.
    */
   armStep: (unit: 'substep' | 'tick') => string | null;
 }

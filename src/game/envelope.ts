@@ -49,7 +49,7 @@ export function openGameMessage(message: unknown): GameMessage {
 }
 
 /**
- * The message that carries own controls.
+ * The message with own controls.
  *
  * @example
  * ```ts

@@ -46,7 +46,7 @@ export interface GameConnectionOptions {
   readonly openSocket: (address: string) => GameSocket;
   /** Reads a parsed message; openGameMessage by default. */
   readonly open?: (message: unknown) => GameMessage;
-  /** Builds the message that carries controls; packControls by default. */
+  /** Builds the message with the controls; packControls by default. */
   readonly pack?: (controls: Controls) => unknown;
   /** Bodies that complete, by name, those sent without attitude or spin. */
   readonly bodies?: readonly (Body & BodyMotion)[];

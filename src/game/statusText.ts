@@ -8,7 +8,7 @@ export interface LinkStatus {
 }
 
 /**
- * @param address as the person knows it, without a token
+ * @param address as entered, without a token
  * @param now wall s
  *
  * @example

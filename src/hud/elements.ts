@@ -1,4 +1,4 @@
-/** Building blocks of the DOM. Text is always text: nothing here parses markup. */
+/** Building blocks of the DOM. Text is never parsed as markup. */
 
 const SVG = 'http://www.w3.org/2000/svg';
 

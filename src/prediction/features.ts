@@ -80,7 +80,7 @@ const tickRates = { measureUnsentRate, sentUntimed };
 const records = { tickFault, recordsOf, isPlaced, shipFault, loadUntrusted, writeBodyMotion };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
-/** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
+/** The game's ship classes and bodies, for a page whose `defaults` have none. */
 export const gameCatalogue: Feature = feature('gameCatalogue', { catalogue: GAME_CATALOGUE });
 
 /** The ground's own normals, for a server whose setting `surfaceNormal` is 'terrain' (DYNAMICS, "The ground's own normal"). */
@@ -151,7 +151,7 @@ export const measuredSpin: Feature = feature('measuredSpin', { learning, spin })
 /** Takes the hello of a server that sends one: its world, settings, classes, the player's ship and protocol version. */
 export const serverHello: Feature = feature('serverHello', { receiveHello, faultOfConstants });
 
-/** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */
+/** Pings a server that answers with a pong: measures the round trip (PREDICTION, Clock). */
 export const roundTripPings: Feature = feature('roundTripPings', { receivePong, pingIfDue });
 
 /** The features of createPredictor while rollbacks are forced. */

@@ -3,7 +3,7 @@ import type { ShipView } from '../prediction';
 /** Statuses of the one slot (HUD, The design). 'none': no ship or no data yet. */
 export type StatusId = 'none' | 'flight' | 'contact' | 'landed' | 'tipped' | 'crashed';
 
-/** Word, shape and colour together, so that none of them alone carries the meaning. */
+/** Each status differs in word, shape and colour, so that colour is never the only sign. */
 export interface StatusLook {
   readonly id: StatusId;
   readonly word: string;

@@ -28,7 +28,7 @@ export interface ShipState {
   readonly thrustLevel: number;
   /** Rate damping. */
   readonly attitudeHold: boolean;
-  /** One of ATTITUDE_MODES, or a mode that only the server knows. */
+  /** One of ATTITUDE_MODES, or a mode unknown to this client. */
   readonly attitudeMode: string;
   /** [x, y, z, w], for attitude mode hold. */
   readonly targetAttitude: Quat;
@@ -42,7 +42,7 @@ export interface ShipState {
   readonly groundContactOffset: number | null;
   /** Name of the body that it touches; empty in flight. */
   readonly landedBodyName: string;
-  /** One of SURFACE_STATES, or a state that only the server knows. */
+  /** One of SURFACE_STATES, or a state unknown to this client. */
   readonly surfaceContactState: string;
   /** m/s; null when the server does not send field 31 (it sent no relative position either, and the field reads 0). */
   readonly contactImpactSpeed: number | null;
@@ -56,7 +56,7 @@ export interface ShipState {
   readonly crashed: boolean;
 }
 
-/** Controls as a state carries them: the mode may be one that only the server knows. */
+/** Controls in a state: the mode may be unknown to this client. */
 export type StateControls = Omit<Controls, 'attitudeMode'> & Pick<ShipState, 'attitudeMode'>;
 
 /** A body's constants and its motion at the frame's tick. */
@@ -64,7 +64,7 @@ export interface BodyState extends Body, BodyMotion {}
 
 /** Something that happened in substep `substep` (from 0) of the interval that begins at tick `tick`. */
 export interface WorldEvent {
-  /** One of EVENT_NAMES, or an event that only the server knows. */
+  /** One of EVENT_NAMES, or an event unknown to this client. */
   readonly type: string;
   readonly shipId: string;
   readonly tick: number;

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, expect, it } from 'vitest';
 import { type GameServer, startGameServer } from '../example/gameServer';
 import { describeInBrowser, openUrl, problemsOf } from './pages';
 
-/** Pixels of the ghost's colour, 0x7fe4ff: it lies about the ship, not somewhere else on the Moon. */
+/** Pixels of the ghost's colour, 0x7fe4ff: it is drawn around the ship, not elsewhere on the Moon. */
 function cyanIn(picture: Buffer): number {
   const { data } = PNG.sync.read(picture);
   let count = 0;

@@ -1,4 +1,4 @@
-// Bundles entry.ts into one classic script without imports, in the language of 2015, for shells that know no modules.
+// Bundles entry.ts into one classic script without imports, in the language of 2015, for shells without modules.
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';

@@ -46,7 +46,7 @@ export function worldText(): string {
 
 const RECORDED = new URL('../parity/fixtures/', import.meta.url);
 
-/** What the recorded trajectories of test/parity begin with and are told, as cases. @throws when one cannot be read. */
+/** The start and the inputs of each recorded trajectory of test/parity, as cases. @throws when one cannot be read. */
 export function recordedCases(): ExactCase[] {
   const names = readdirSync(RECORDED).filter((name) => name.endsWith('.json'));
   return names.sort().map((name) => {

@@ -48,7 +48,7 @@ it('sends nothing on a closing socket, and reports it', () => {
 });
 
 it.each([
-  // The server's own interval, or the one seen where the server is slower than it says.
+  // The server's own interval, or the measured one where the server is slower than announced.
   ['told', 1, [3, 3, 4.5]],
   // A quarter of the way to each interval seen, from one second on.
   ['seen', undefined, [3, 2.625, 3.09375]],

@@ -25,7 +25,7 @@ describe('a link', () => {
     expect(words(play([...OPENED]).state, 1)).toBe('Connected to wss://game.example/ws; signing in…');
     expect(play(...LIVE).state).toMatchObject({ phase: 'live', failures: 0, pingAt: 30.2 });
     expect(words(play(...LIVE).state, 1)).toBe('');
-    // It asks when no state has followed within 2 s.
+    // It pings when no state has followed within 2 s.
     expect(dueAt(play(...LIVE).state)).toBe(2.2);
   });
 

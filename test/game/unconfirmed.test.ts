@@ -61,7 +61,7 @@ it('sends controls again that may have been lost with the connection, and no oth
   const made = await welcomed();
   made.live.sendControls(thrust(0.5));
   await heardAll(made);
-  // Nothing has said that they arrived.
+  // Nothing has confirmed their arrival.
   await reconnect(made);
   await heardAll(made);
   expect(thrustsHeard()).toEqual([0.5, 0.5]);

@@ -32,7 +32,7 @@ const TYPED_ARRAY = /^(Float|Int|Uint|BigInt|BigUint)\d+(Clamped)?Array$/;
 const LEFT_ALONE =
   /^(TS(Type|Interface|Enum|Declare)|Import|TemplateLiteral$|ThrowStatement$|ExportAll)|TypeAnnotation$|TypeParameter/;
 
-/** The operator's own place: between what stands left and right of it. */
+/** The operator's place: between its operands. */
 function operatorPlace({ left, right, operator }, text) {
   const start = text.indexOf(operator, left.end);
   return start >= 0 && start < right.start ? { start, end: start + operator.length } : null;

@@ -44,7 +44,7 @@ const OPTIONS: ts.CompilerOptions = {
 
 const isOurs = (path: string): boolean => path.startsWith(join(ROOT, 'src'));
 
-/** Of packages and the platform only the types are asked for: to parse their comments too takes a second. */
+/** Of packages and the platform only the types are needed: parsing their comments too takes a second. */
 const withoutWords = (
   language: ts.ScriptTarget | ts.CreateSourceFileOptions,
 ): ts.CreateSourceFileOptions => ({
@@ -99,7 +99,7 @@ function importsOf(code: string): string {
   }).join('');
 }
 
-/** All examples in one module, each in a block of its own. */
+/** All examples in one module, each in its own block. */
 function sandboxOf(all: readonly Example[]): string {
   const blocks = all.map(({ name, code }) => `/* ${name} */ {\n${code}\n}`).join('\n');
   return `${importsOf(blocks)}${GIVEN}${blocks}\n`;

@@ -5,7 +5,7 @@ import { coveredBy, watchMargins } from '../../src/playground/view/margins';
 
 type Edges = readonly [left: number, top: number, right: number, bottom: number];
 
-/** An element with its place in the window, px, and the parts of it that are asked for by their class. */
+/** An element with its place in the window, px, and its parts by class. */
 function box([left, top, right, bottom]: Edges, inner: Readonly<Record<string, Edges>> = {}): HTMLElement {
   return {
     getBoundingClientRect: () => ({ left, top, right, bottom }),

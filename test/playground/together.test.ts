@@ -158,7 +158,7 @@ describe('two tabs on one world', () => {
     };
     await play(5);
     live.begin({ ...DEFAULT_CHOICES, server: 'tab:test' });
-    // The page loads the tab's code when it is asked for.
+    // The page loads the tab's code on demand.
     await vi.waitFor(() => expect(host.guests()).toHaveLength(1));
     await play(4);
     const { own, diagnosis } = live.frame();

@@ -1,7 +1,7 @@
 import { type PredictorEntry, type PredictorOptions, recordPredictor } from '../../src/prediction';
 import { createRig, type RigOptions } from './rig';
 
-/** s: until every scenario that is recorded stands. */
+/** s: every recorded scenario is at rest by then. */
 const SECONDS = 14;
 
 /** Everything that went into a predictor, and the options of another that shows the same. */

@@ -48,7 +48,7 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     SHIP_CLASSES.find((known) => known.name === name)!,
   );
 
-  // Measured: touches between 0.9 and 1.8 m/s; the design asks for less than 3. Without and with a tick between state and controls.
+  // Measured: touches between 0.9 and 1.8 m/s; the design requires less than 3. Without and with a tick between state and controls.
   it.each(bodies.flatMap((body) => [1, 10, 50].map((tickRate) => [body, tickRate] as const)))(
     'lands softly on %s at %d Hz',
     (body, tickRate) => {

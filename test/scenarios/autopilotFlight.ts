@@ -27,11 +27,11 @@ export interface Flight {
   readonly settings?: Partial<Settings>;
   /** Ticks from a state until the controls computed from it act. */
   readonly delay?: number;
-  /** The autopilot does not know the delay. */
+  /** The autopilot plans without the delay. */
   readonly ignoresDelay?: boolean;
   /** Metres east and north of the start to land at; by default below the ship. */
   readonly target?: readonly [east: number, north: number];
-  /** The ship stands on the ground at the start. */
+  /** The ship is on the ground at the start. */
   readonly standing?: boolean;
   /** Like the game's own server, which sends ICRF only. */
   readonly legacy?: boolean;

@@ -24,7 +24,7 @@ const startFrom = (body: string, start: Partial<LocalState>) => ({ height: HEIGH
 const TEMPI = [1, 10].flatMap((tickRate) => [0, 1].map((delay) => ({ tickRate, delay })));
 
 describe('the landing autopilot at any attitude', () => {
-  // Measured: touches between 0.9 and 2.0 m/s, upside down on Earth at 1 Hz with a tick's delay the fastest; the design asks for less than 3.
+  // Measured: touches between 0.9 and 2.0 m/s, upside down on Earth at 1 Hz with a tick's delay the fastest; the design requires less than 3.
   it.each(CASES)(
     'lands softly from %s over %s at 1 and 10 Hz, without delay and a tick late',
     (start, body) => {

@@ -165,7 +165,7 @@ describe('drawn ground', () => {
     expect(sunlit(12)).toBeGreaterThan(0);
     expect(sunlit(Math.ceil(10 - reach + 1))).toBeLessThan(0);
     expect(sunlit(Math.floor(10 - reach - 1))).toBeGreaterThan(0);
-    // Half way along, the shadow stands half as high as the wall.
+    // Half way along, the shadow is half as high as the wall.
     expect(Math.abs(shadeOver(level, 10 - reach / 2, 0.5) - wall / 2)).toBeLessThan(0.2);
     expect(shadeOver(level, 14, 0.5)).toBeLessThan(0);
   });

@@ -11,7 +11,7 @@ import { lookOf } from '../../src/scene/sky/bodyLook';
 const LUNA = BODIES.find(({ name }) => name === 'Luna')!;
 const FRAME = createLocalFrame(LUNA, [0.3, 0.5, 0.8], { elevation: 15, azimuth: 60 });
 const NO_SHADOW = () => -Infinity;
-/** Everything is in sight; and what lies on the side of larger x than `x`. */
+/** A cone with everything in sight, and one with only what has a larger x than `x`. */
 const WHOLE = createCone();
 const beyond = (x: number): ViewCone => ({ x, z: 0, whole: false, inward: Float64Array.of(1, 0, 1, 0) });
 
@@ -135,7 +135,7 @@ describe('stones', () => {
     const range = moved.map(({ x }) => x);
     expect(Math.min(...range)).toBeGreaterThan(-45.001);
     expect(Math.max(...range)).toBeGreaterThan(65);
-    // A stone of the ground between lies where it lay.
+    // A stone of the ground between stays in place.
     const known = before.filter(({ x, z }) => Math.hypot(x, z) < 30);
     for (const stone of known)
       expect(moved.some(({ x, z }) => Math.hypot(x - stone.x, z - stone.z) < 1e-3)).toBe(true);

@@ -19,7 +19,7 @@ export const shipResources = {
 
 const bodyOf = ({ bodies, own }: WorldView) => bodies[own!.body]!;
 
-/** A view of ships by id, all at the body of the player's ship unless said. */
+/** A view of ships by id, all at the body of the player's ship by default. */
 export function viewOf(ships: readonly Partial<ShipView>[]): WorldView {
   const view = makeView({ clearance: 100 });
   return {

@@ -17,7 +17,7 @@ it('the service installs with pip from its folder, with redis alone, and runs fr
     });
     expect(install.status, install.stderr).toBe(0);
     const packages = readdirSync(folder).filter((name) => name.endsWith('.dist-info'));
-    // On older Pythons, redis has dependencies of its own.
+    // On older Pythons, redis has dependencies.
     const foreign = packages.filter(
       (name) => !/^(touchdown_service|redis|async_timeout|typing_extensions)-/.test(name),
     );

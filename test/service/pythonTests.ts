@@ -1,4 +1,4 @@
-/** The Python tests of python/, each file in a process of its own; those that talk to Redis start one for themselves. */
+/** The Python tests of python/, each file in its own process; those that need Redis start one. */
 import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { expect } from 'vitest';

@@ -50,7 +50,7 @@ export const TIPPED = 3;
 export const SURFACE_STATES = ['', 'contact', 'landed', 'tipped'] as const;
 export type SurfaceState = (typeof SURFACE_STATES)[number];
 
-/** Attitude modes that the dynamics know. */
+/** Attitude modes of the dynamics. */
 export const ATTITUDE_MODES = [
   'none',
   'hold',

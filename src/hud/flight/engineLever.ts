@@ -5,7 +5,7 @@ import { showAttribute, showFigures, showNumber } from '../shown';
 /** Height of the lever's travel in the picture's units. */
 const WAY = 100;
 
-/** The throttle as a lever that reads at a glance; a mark shows the throttle that carries the ship's weight. */
+/** The throttle as a lever that reads at a glance; a mark shows the throttle that hovers. */
 export function createEngineLever(parent: Element): (flight: FlightReadout) => void {
   const panel = append(parent, 'div', 'td-engine');
   const gauge = append(panel, 'div', 'td-lever');

@@ -87,7 +87,7 @@ function createScale(gauge: HTMLElement): (scale: number) => void {
   };
 }
 
-/** The dial in words, in whole metres per second, so that a screen reader gets a sentence and not a stream. */
+/** The dial in words, in whole metres per second: a screen reader would read every change of a decimal. */
 function createValueText(gauge: Element): (drift: Drift) => void {
   const paintText = showAttribute(gauge, 'aria-valuetext');
   const paintNow = showAttribute(gauge, 'aria-valuenow');

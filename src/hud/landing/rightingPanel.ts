@@ -153,7 +153,7 @@ function createFuel(parent: Element): (righting: Righting) => void {
   };
 }
 
-/** A line with two numbers, needed and available, and a mark that says whether it suffices. */
+/** A line with two numbers, needed and available, and a mark: enough or not. */
 function createNeed(parent: Element, label: string, format: Format) {
   const line = append(parent, 'p', 'td-need');
   append(line, 'span', 'td-label', label);
@@ -177,7 +177,7 @@ function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void 
   };
 }
 
-/** Shown only where the ship cannot be righted as it is: says so, and what may help. */
+/** Shown only where the ship cannot be righted as it is, with what may help. */
 function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-verdict');
   const paintText = showText(append(line, 'span'));

@@ -13,7 +13,7 @@ export interface Pose {
 
 export const pose = (): Pose => ({ position: vector(), attitude: quaternion() });
 
-/** Writes the predicted pose at the present of a ship whose rows stand at the front. */
+/** Writes the predicted pose at the present of a ship whose rows are at the front. */
 export function writePredicted(out: Pose, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
   const { at } = track;
@@ -25,7 +25,7 @@ export function writePredicted(out: Pose, sim: Simulation, track: Track): void {
   writeAttitude(out.attitude, sim, track);
 }
 
-/** Writes the predicted attitude at the present of a ship whose rows stand at the front. */
+/** Writes the predicted attitude at the present of a ship whose rows are at the front. */
 export function writeAttitude(out: Float64Array, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
   take(after, front, track.at + ATTITUDE);

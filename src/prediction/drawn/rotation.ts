@@ -1,6 +1,6 @@
 /**
  * Rotations of doubles in place: vectors [x, y, z], quaternions [x, y, z, w], out first, out may be an argument.
- * For comparing, easing and drawing; the dynamics have exact ones of their own.
+ * For comparing, easing and drawing; the exact ones are in dynamics.
  */
 
 /** Scratch that is handed to the functions below. */

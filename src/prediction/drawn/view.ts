@@ -83,7 +83,7 @@ export interface ShipView {
    */
   groundRadius: number;
   /**
-   * The surface normal under its feet, unit, ICRF axes: local up, or the slope's where the settings say so and it is near the ground.
+   * The surface normal under its feet, unit, ICRF axes: local up, or the slope's if the settings require it and the ship is near the ground.
    * Tilt is measured from it.
    */
   readonly groundNormal: Float64Array;
@@ -157,7 +157,7 @@ export interface WorldView {
   tickRate: number;
   /** Game s per wall s. */
   timeScale: number;
-  /** The newest frame says that the server is paused. */
+  /** The server is paused, by its newest frame. */
   paused: boolean;
   /** False until a hello (or defaults) and a first frame have arrived. */
   ready: boolean;

@@ -17,7 +17,7 @@ export interface ViewFeatures {
   readonly snapToLevel?: typeof snapToLevel;
   /** Puts the server's state on the drawn ground. */
   readonly groundGhost?: (out: ShipView, track: Track, context: ViewContext, exactly: boolean) => void;
-  /** The ground's own normal, where the settings say so. */
+  /** The ground's own normal, if the settings require it. */
   readonly slopeBelow?: (out: ShipView, context: ViewContext) => Float64Array | null;
   /** The row of a ship that the caller chose not to predict. */
   readonly rowOfPolicy?: (sim: Simulation, track: Track, turned: TurnedBodies) => Float64Array;
@@ -42,7 +42,7 @@ export interface Playback {
   readonly timeScale: number;
 }
 
-/** Shared by all ships of one view. */
+/** The data of one view that its ships share, and scratch for the current ship. */
 export interface ViewContext extends TurnedBodies {
   world: World;
   /** Of the current ship's body. */

@@ -30,7 +30,7 @@ export function recordPredicted(
   if (notice !== null) sim.notices.push(notice);
 }
 
-/** The caller says that the ship was destroyed. That has no stamp: it counts as of the newest tick. */
+/** The caller reports that the ship was destroyed, without a stamp: the event is of the newest tick. */
 export function confirmEnd(sim: Simulation, { ledger }: Track): void {
   const notice = confirm(ledger, EVENT_DESTROYED, { tick: sim.newestTick, substep: 0 }, sim.timeline);
   if (notice !== null) sim.notices.push(notice);

@@ -35,7 +35,7 @@ interface Copying {
   used: number;
 }
 
-/** A copy of an array of numbers in the shared buffer; larger ones in one of their own. */
+/** A copy of an array of numbers in the shared buffer; a larger array gets a buffer. */
 function copyArray(from: Float64Array, copying: Copying): Float64Array {
   const bytes = Math.ceil(from.byteLength / 8) * 8;
   if (bytes > CHUNK / 4) return from.slice();

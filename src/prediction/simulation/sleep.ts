@@ -115,7 +115,7 @@ export function writeSleeping(
 }
 
 /**
- * A sleeping ship's row at the boundary, at `place`; null if the front, on a display that has drawn nothing since, has yet to reach an
+ * A sleeping ship's row at the boundary, at `place`; null if the front, on a display that has drawn nothing since, has not yet reached an
  * own input before that tick.
  */
 export function placeAsleep(

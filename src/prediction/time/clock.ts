@@ -146,7 +146,7 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   const answered = answer.at;
   clock.timedPongAt = now;
   clock.stoppedAt = answer.hasStopped ? answered : Number.POSITIVE_INFINITY;
-  if (answer.hasStopped) boundBelow(clock.bounds, { pinged, stood: answered, now });
+  if (answer.hasStopped) boundBelow(clock.bounds, { pinged, stopped: answered, now });
   else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.clockStep)) clock.stepped = true;
   settleOffset(clock, now);
   // A stall is one sample, however many pings waited in it, and does not count as jitter.

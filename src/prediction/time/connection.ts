@@ -8,7 +8,7 @@ export type Connection =
   | 'live'
   /** No frames, but pings are answered, or the server is paused. */
   | 'serverPaused'
-  /** No frames, of a server that has never answered a ping: it is paused, or the link has stalled; nothing tells which. */
+  /** No frames, of a server that has never answered a ping: it is paused or the link has stalled, which look the same. */
   | 'silent'
   /** Neither frames nor answers: the link has stalled, or the page was frozen. */
   | 'stalled'

@@ -7,7 +7,7 @@ export interface Delays {
   readonly sorted: Float64Array;
   /** Samples ever taken; slot = count mod length. */
   count: number;
-  /** The last result of `spreadOf`, and its limit; NaN after a new delay: every frame asks, and few add a delay. */
+  /** The last result of `spreadOf`, and its limit; NaN after a new delay: every frame needs it, and few add a delay. */
   spread: number;
   spreadLimit: number;
 }

@@ -46,7 +46,7 @@ export function forgetBounds(bounds: OffsetBounds): void {
   Object.assign(bounds, createOffsetBounds());
 }
 
-/** Forgets the lower bound: the client's clock stood for an unknown time, after which the upper bound is still valid. */
+/** Forgets the lower bound: the client's clock stopped for an unknown time, after which the upper bound is still valid. */
 export function forgetLower(bounds: OffsetBounds): void {
   bounds.lower = Number.NEGATIVE_INFINITY;
   bounds.late = 0;
@@ -118,15 +118,15 @@ function ageOnArrival(pinged: number, now: number): number {
 }
 
 /**
- * Takes the answer to a ping of client time `pinged` by a server that had stopped at server time `stood`. The offset grows until it resumes, so
+ * Takes the answer to a ping of client time `pinged` by a server that stopped at server time `stopped`. The offset grows until it resumes, so
  * the answer bounds it only from below, and the upper bound becomes invalid.
  */
 export function boundBelow(
   bounds: OffsetBounds,
-  { pinged, stood, now }: { readonly pinged: number; readonly stood: number; readonly now: number },
+  { pinged, stopped, now }: { readonly pinged: number; readonly stopped: number; readonly now: number },
 ): void {
   age(bounds, now);
-  bounds.lower = Math.max(bounds.lower, pinged - stood - ageOnArrival(pinged, now));
+  bounds.lower = Math.max(bounds.lower, pinged - stopped - ageOnArrival(pinged, now));
   bounds.upper = Number.POSITIVE_INFINITY;
   bounds.late = 0;
 }

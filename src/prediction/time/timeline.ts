@@ -5,7 +5,7 @@ import { type Timing, timingOfTick } from '../../dynamics';
  * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
  */
 
-/** The server's tempo as a frame carries it; applies from that frame's tick on. */
+/** The server's tempo, sent with each frame; applies from that frame's tick on. */
 export interface Tempo {
   /** Hz */
   readonly tickRate: number;

@@ -9,7 +9,7 @@ export interface FlightReadout {
   known: boolean;
   /** 0 … 1. */
   throttle: number;
-  /** Throttle that carries the weight of an upright ship; above 1 the engine cannot, NaN without an engine. */
+  /** Throttle at which an upright ship hovers; above 1 the engine cannot, NaN without an engine. */
   hover: number;
   /** kg, and of the capacity 0 … 1. */
   fuel: number;

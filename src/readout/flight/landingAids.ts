@@ -96,7 +96,7 @@ export function createLandingAids(): LandingAids {
 }
 
 /**
- * Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing.
+ * Depends on the view and on the simulation ahead kept in `out`; without a ship, or for one on the ground, it costs nothing.
  *
  * @example
  * ```ts

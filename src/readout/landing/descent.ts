@@ -43,7 +43,7 @@ export function isGroundKnown(ship: ShipView): boolean {
   return ship.extrapolated !== 'ground';
 }
 
-/** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
+/** On the ground the drawn feet are on its surface, whatever the penetration (PREDICTION, "nothing is drawn underground"). */
 export function standsOnGround(ship: ShipView): boolean {
   return ship.surfaceContactState !== '' || ship.feetHeight < 0;
 }

@@ -28,7 +28,7 @@ const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHo
 /** m: the autopilot does not fly hops below this height; even on Earth the ship comes down below the bounce speed. */
 const LOW_HOP = 3;
 
-/** m: a ship that stands where it would be planned higher than this, ten metres from its target, takes off. */
+/** m: a ship on the ground takes off if the plan at its place is higher than this, as ten metres from its target. */
 const BESIDE = 4;
 
 /**
@@ -76,7 +76,7 @@ function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Resul
   return ok({ phase: 'descent', reason: '', controls });
 }
 
-/** Whether a ship that stands on the ground takes off again to land at the target. */
+/** Whether a ship on the ground takes off again to land at the target. */
 function isBeside(ship: ShipState, site: LandingSite): boolean {
   const approach = approachOf(ship, site);
   return approach.ok && planTravel(approach.value, ship.mass, site.shipClass).hold > BESIDE;

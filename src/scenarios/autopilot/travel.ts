@@ -10,7 +10,7 @@ const LEAST_ACCELERATION = 0.02;
 const GLIDE = 0.5;
 const NEAR = 2;
 const CLEARANCE = 25;
-/** s: height for each m/s that is faster than the thrusters carry, so that the main engine can be turned against it. */
+/** s: height per m/s of speed beyond the thrusters' authority, in which the main engine can be turned against it. */
 const TURNING_HEIGHT = 8;
 /** m/s along the ground that a landing at a target may have, and s: each m/s more counts as a way of so many seconds. */
 const SLOW_DRIFT = 0.4;

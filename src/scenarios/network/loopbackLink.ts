@@ -3,7 +3,7 @@ import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '..
 import { createLink, type Delivery, type Link, type NetworkNumbers } from './network';
 
 /**
- * An authority and its clients, each behind a simulated connection that carries the protocol's bytes; run by the page's worker, and by
+ * An authority and its clients, each behind a simulated connection for the protocol's bytes; run by the page's worker, and by
  * tests and benchmarks without a page. Wall seconds are arguments.
  */
 export interface LoopbackLink {

@@ -98,7 +98,7 @@ function received(message: ServerMessage | PartialFrame): Record<string, unknown
     : { frame: encodeFrameJson(message) };
 }
 
-/** Whether a message has everything that the protocol's bytes carry. */
+/** Whether a message has all fields of the protocol's bytes. */
 export function isWhole(message: ServerMessage | PartialFrame): message is ServerMessage {
   if (message.kind !== 'frame') return true;
   const { tickRate, timeScale, paused, bodies, events, lastInput } = message as Partial<ServerFrame>;

@@ -11,7 +11,7 @@ RADIANS_PER_DEGREE = 3.141592653589793 / 180
 
 @dataclass(frozen=True, slots=True)
 class Config:
-    """The design's settings (DYNAMICS, Settings): m/s, rad/s, degrees where the name says so."""
+    """The design's settings (DYNAMICS, Settings): m/s, rad/s, degrees where the name ends in deg."""
 
     contact_crash_speed: float = 50.0
     contact_bounce_speed: float = 10.0

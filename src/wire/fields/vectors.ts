@@ -80,12 +80,12 @@ function parsedOr(text: string): unknown {
   }
 }
 
-/** As protobuf and JSON carry it. */
+/** As in protobuf and JSON. */
 export function vectorFields([x, y, z]: Vec3): { x: number; y: number; z: number } {
   return { x, y, z };
 }
 
-/** As protobuf and JSON carry it, w first. */
+/** As in protobuf and JSON, w first. */
 export function quaternionFields([x, y, z, w]: Quat): { w: number; x: number; y: number; z: number } {
   return { w, x, y, z };
 }

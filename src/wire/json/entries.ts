@@ -21,7 +21,7 @@ export interface JsonPass {
 export interface EntryList<T> {
   readonly name: string;
   readonly most: number;
-  /** The field that an object's key stands for and that is unique in the list; null for none. */
+  /** The field that an object's key gives, unique in the list; null for none. */
   readonly key: string | null;
   readonly read: (r: Reading, from: Fields) => T;
 }
@@ -79,7 +79,7 @@ function listed<T>(sent: unknown, { most }: EntryList<T>): [Step, unknown][] | s
   return Object.entries(sent).map(([key, value]) => [`[${JSON.stringify(key)}]`, value]);
 }
 
-/** The fields, with the object's key added as the field it stands for. */
+/** The fields, with the object's key added as one of them. */
 function withKey<T>(r: Reading, fields: Fields, { key }: EntryList<T>, step: Step): Fields {
   if (key === null || typeof step === 'number') return fields;
   const name = JSON.parse(step.slice(1, -1)) as string;

@@ -182,7 +182,7 @@ function readNews(pass: JsonPass, from: Fields, tick: number): News {
   };
 }
 
-/** A frame for JSON.stringify: everything that protobuf carries, in snake_case; decodeFrameJson restores it, except for the sign of −0. */
+/** A frame for JSON.stringify: all fields of protobuf, in snake_case; decodeFrameJson restores it, except for the sign of −0. */
 export function encodeFrameJson(frame: PartialFrame): Readonly<Record<string, unknown>> {
   return { ...frameFields(frame), ...(frame.lastInput === null && { last_input: null }) };
 }

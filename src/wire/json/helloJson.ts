@@ -95,7 +95,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   return endReading(r, hello);
 }
 
-/** A hello for JSON.stringify: everything that protobuf carries, in snake_case. */
+/** A hello for JSON.stringify: all fields of protobuf, in snake_case. */
 export function encodeHelloJson(hello: Hello): Readonly<Record<string, unknown>> {
   return { ...helloFields(hello) };
 }

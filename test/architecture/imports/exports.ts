@@ -1,4 +1,4 @@
-/** Which exported values of the source nobody imports. */
+/** Exported values of the source that no file imports. */
 import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
 import type { SourceFile } from '../source';

@@ -92,7 +92,7 @@ export function importsOf(file: SourceFile): readonly Import[] {
   return imports;
 }
 
-/** By path: several tests ask for the imports of every file, and to parse them all takes a second. */
+/** By path: several tests need the imports of every file, and parsing them all takes a second. */
 const read = new Map<string, { readonly text: string; readonly imports: readonly Import[] }>();
 
 function packageName(request: string): string {

@@ -69,7 +69,7 @@ function linkFault(file: SourceFile, target: string, { anchors, hasPath }: Docum
   return `links to ${target}: no such heading`;
 }
 
-/** "place says …" for each target in a file that does not exist. */
+/** "place: fault" for each target in a file that does not exist. */
 export function citationFaults(file: SourceFile, documents: Documents): string[] {
   const faults: string[] = [];
   const say = (index: number, fault: string | null) => {

@@ -10,7 +10,7 @@ interface OpeningWindow {
   openingTimes: { picture?: number; input?: number };
 }
 
-/** Runs before the page's own scripts: full thrust is asked for until the lever shows it. */
+/** Runs before the page's own scripts: presses full thrust until the lever shows it. */
 function watchOpening(): void {
   const noted: OpeningWindow['openingTimes'] = {};
   Object.assign(window, { openingTimes: noted });

@@ -60,7 +60,7 @@ describeInBrowser('HUD pictures', () => {
           expect(await page.textContent('.td-status')).toBe(slot);
           const landing = await page.locator('.td-landing').boundingBox();
           const status = await page.locator('.td-status').boundingBox();
-          // The slot neither moves nor changes its size, whatever it says, and nothing runs out of the HUD.
+          // The slot keeps its place and size with any text, and nothing overflows the HUD.
           expect(status).toEqual(viewport.width === 390 ? slotAt390 : slotAt1280);
           expect(landing!.width).toBeLessThanOrEqual(viewport.width - 24);
           expect(await overflowing(page)).toEqual([]);

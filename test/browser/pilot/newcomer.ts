@@ -1,10 +1,10 @@
 /**
- * A newcomer who knows only the texts on the screen: finds the controls in the goal's sentence, follows the words beside it, and
+ * A newcomer who goes by the texts on the screen alone: finds the controls in the goal's sentence, follows the words beside it, and
  * looks no more often than people do. Only text inside the window counts, and nothing is scrolled.
  */
 import type { Page } from 'playwright-core';
 
-/** ms between two looks at the screen: nobody is faster. */
+/** ms between two looks at the screen: people are not faster. */
 const REACTION = 500;
 
 /** The texts on the screen at one look. */
@@ -112,7 +112,7 @@ export interface Try {
   readonly log: readonly string[];
 }
 
-/** Flies until a card stands over the picture. */
+/** Flies until a card is shown over the picture. */
 export async function flyAsNewcomer(page: Page, isTouch: boolean): Promise<Try> {
   const first = await look(page);
   const controls = isTouch ? await padsOf(page, first.goal) : keysOf(page, first.goal);

@@ -49,7 +49,7 @@ describeInBrowser('the built page', () => {
   });
 
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
-  // without a network: twice the size, but nobody waits for it. It is not counted here.
+  // without a network: twice the size, but no reader waits for it. It is not counted here.
   it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
     await page.waitForSelector('html[data-ready=true]');
     const fetched = await page.evaluate(() =>

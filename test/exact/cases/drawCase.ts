@@ -77,7 +77,7 @@ export function drawCase(seed: number): ExactCase {
   return { name, tickRate, timeScale, ticks, settings, terrain, shipClass, bodies, ship, inputs };
 }
 
-/** Directions whose zeros and ones meet the special cases of perpendicular axes. */
+/** Directions whose zeros and ones are the special cases of perpendicular axes. */
 const AXES: readonly Vec3[] = [
   [1, 0, 0],
   [-1, 0, 0],

@@ -130,7 +130,7 @@ export function drawInputs(rng: Random, ticks: number, substeps: number, hover: 
   return inputs.sort((a, b) => a.tick - b.tick || a.substep - b.substep);
 }
 
-/** @param hover the thrust level that carries the weight */
+/** @param hover the thrust level that balances the weight */
 function drawControls(rng: Random, hover: number): Controls {
   const stick = (calm: number): Vec3 => {
     if (chance(rng, calm)) return [0, 0, 0];

@@ -17,7 +17,7 @@ useGameClock();
 const REACTION = 0.5;
 
 /**
- * A newcomer who knows only what the screen says: "F more thrust, V less, X cut the engine", the goal, VSPD, AGL and
+ * A newcomer who goes by the screen alone: "F more thrust, V less, X cut the engine", the goal, VSPD, AGL and
  * AIM. Taps F when it comes down faster than AIM, V when slower, and X at the touch.
  */
 function createNewcomer({ live }: Game): (view: WorldView, now: number) => void {

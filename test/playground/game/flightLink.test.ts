@@ -1,4 +1,4 @@
-/** Links to flights: the text of their inputs, and what is said and copied. */
+/** Links to flights: the text of their inputs, and what is shown and copied. */
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { createFlightLink } from '../../../src/playground/game/flight/flightLink';

@@ -90,7 +90,7 @@ describe('the operator', () => {
       ],
     ]);
     const restored = ['intervention "a snapshot was restored"', 'operate {"kind":"restore"}'];
-    // The server says that there is no snapshot.
+    // The server refuses: there is no snapshot.
     expect(does('restore')).toEqual(restored);
     expect(does('snapshot')[0]).toBe('operate {"kind":"snapshot"}');
     expect(does('restore')).toEqual([...restored, 'controls "half"', 'steer']);

@@ -1,4 +1,4 @@
-/** The gateway's /stream on a socket and a clock of the test's: what the page sends, and when it says that a server is silent. */
+/** The gateway's /stream on a socket and a clock of the test's: what the page sends, and when it reports a silent server. */
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { ConnectionHandlers } from '../../../src/playground/server/connection';
 import { openServer } from '../../../src/playground/server/realServer';

@@ -1,4 +1,4 @@
-/** Frames and sizes of the page: when it draws, when it says that it is ready, and how fine. */
+/** Frames and sizes of the page: when it draws, when it is ready, and how fine. */
 import { describe, expect, it } from 'vitest';
 import { createFrameLoop } from '../../../src/playground/view/frameLoop';
 import { createCameraSwitch } from '../../../src/playground/view/cameraSwitch';
@@ -57,7 +57,7 @@ describe('the size of the picture', () => {
 });
 
 describe('the frame loop', () => {
-  /** A page of which each frame is asked for by hand. */
+  /** A page whose frames the test requests one by one. */
   function createPage(search = '', { hasScene = true } = {}) {
     const done: string[] = [];
     const state = { ready: true, loading: false, drawn: 0, share: false, seconds: 0 };

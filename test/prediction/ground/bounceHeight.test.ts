@@ -1,4 +1,4 @@
-/** The ground below a bounce, by the two parabolas that meet there; a bounce has a quarter of the speed of its fall unless the case says another share. */
+/** The ground below a bounce, by the two parabolas that meet there; a bounce has a quarter of the speed of its fall unless the case gives another share. */
 import { describe, expect, it } from 'vitest';
 import { CONTACT, POSITION, SURFACE_STATE, THRUST_LEVEL } from '../../../src/dynamics';
 import { groundOfBounce } from '../../../src/prediction/ground/bounceHeight';

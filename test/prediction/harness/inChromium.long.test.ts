@@ -20,7 +20,7 @@ const WATCHED = 3;
 /** s: the time, and what a display frame and two timers of a busy machine add. */
 const RIGHT = 0.05;
 const UNSURE = 0.05;
-/** s of a contact in which a status may be wrong: on a server that is not ours the next state tells. */
+/** s of a contact in which a status may be wrong: on a foreign server the next state corrects it. */
 const WRONG_STATUS = 0.3;
 /** m from the server's place: 95 % of what is drawn, and all of it. A server of 50 Hz notices a touch up to a tick late and falls on. */
 const NEAR = 0.1;
@@ -114,7 +114,7 @@ describe.skipIf(program === null)('a page in Chromium', () => {
     expect(await page.evaluate(() => window.client.troubles)).toEqual([]);
   }
 
-  /** The key that the server knows of a ship. */
+  /** The key that acts on a ship at the server. */
   const heldOf = (id: string) => socket.server.ships.get(id)!.controls.translationInput[0];
 
   async function hold(sideways: number): Promise<void> {

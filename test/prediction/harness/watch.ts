@@ -51,7 +51,7 @@ function sampleOf(page: Page, view: WorldView, own: ShipView): Sample {
   const { drift } = server.options;
   const era = eraOf(server.eras, { tick, sinceTick, drift, t: page.t });
   const drawn = timeOf(era, tick, sinceTick, drift);
-  // In the server's own time: a server that stands stretches true time under what is drawn already.
+  // In the server's own time: a stopped server stretches true time under what is drawn already.
   const isOfNewest = server.eras.indexOf(era) + 1 === page.newestEra;
   const ahead = isOfNewest
     ? (tick - page.newestTick) / view.tickRate + sinceTick / view.timeScale

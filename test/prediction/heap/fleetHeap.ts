@@ -33,7 +33,7 @@ export interface FleetHeap {
   readonly frame: number;
   /** Per server frame, decoded, whose states all agree with the prediction. */
   readonly message: number;
-  /** Ships in contact at the end, and corrections so far: the measurement means what it says if all are, without one. */
+  /** Ships in contact at the end, and corrections so far: the measurement is valid only if all are, without a correction. */
   readonly inContact: number;
   readonly corrections: number;
 }

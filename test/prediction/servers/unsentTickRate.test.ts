@@ -123,7 +123,7 @@ describe('the clock of a server that does not send its tick rate', () => {
       watch(sends, (view, now, stamps) => {
         if (!view.ready) return;
         const heard = sends.filter(({ sent }) => sent + 0.02 <= now).length;
-        // The first frames alone do not tell the rate: no instant past the newest state and the time since then is drawn.
+        // The first frames do not give the rate yet: no instant past the newest state and the time since then is drawn.
         const newest = sends[Math.max(0, heard - 1)]!;
         if (heard < 3)
           expect(view.tick - newest.tick + view.sinceTick).toBeLessThan(now - newest.sent + LEAD + 0.01);

@@ -60,12 +60,12 @@ describe('a pong', () => {
 
   it('of a stopped server bounds the offset only from below', () => {
     const bounds = known();
-    boundBelow(bounds, { pinged: 51, stood: 50.5 - OFFSET, now: 51.1 });
+    boundBelow(bounds, { pinged: 51, stopped: 50.5 - OFFSET, now: 51.1 });
     expect(bounds.lower).toBeCloseTo(OFFSET + 0.5, 4);
     expect(bounds.upper).toBe(Number.POSITIVE_INFINITY);
-    const stood = known();
-    boundBelow(stood, { pinged: 51, stood: 51.5 - OFFSET, now: 51.1 });
-    expect(stood.lower).toBeCloseTo(OFFSET - 0.05, 2);
+    const stopped = known();
+    boundBelow(stopped, { pinged: 51, stopped: 51.5 - OFFSET, now: 51.1 });
+    expect(stopped.lower).toBeCloseTo(OFFSET - 0.05, 2);
   });
 });
 

@@ -33,7 +33,7 @@ describe('a pong', () => {
     expect(answered({ sinceTick: 0.109 }).clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
     const { clock } = answered({ sinceTick: 0.111 });
     expect(clock.stoppedAt).toBeCloseTo(0.1, 9);
-    // It may have stood there for long: only the ping's sending bounds it.
+    // It may have stopped there long ago: only the ping's sending bounds it.
     expect(clock.bounds.upper).toBe(Number.POSITIVE_INFINITY);
   });
 

@@ -22,7 +22,7 @@ export const TICK = 100;
 export const FALL = 22;
 const NO_BODIES = new Float64Array(12);
 
-/** The player's ship, falling, in step at TICK; nothing of its past is known. */
+/** The player's ship, falling, in step at TICK; without a history. */
 export function falling() {
   const { sim } = sessionAt(TICK);
   sim.frontIsStale = false;

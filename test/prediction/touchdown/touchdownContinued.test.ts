@@ -75,7 +75,7 @@ describe('a state of a tick that was predicted', () => {
     sim.front.tick = tick + 3;
     const row = fallen(sim, track, ticks);
     const speed = row[IMPACT_SPEED]!;
-    // A server that does not send it: only a replay knows it.
+    // The server does not send it: only a replay gives it.
     row[IMPACT_SPEED] = 0;
     return { ...all, tick, row, speed };
   }

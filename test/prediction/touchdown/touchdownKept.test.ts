@@ -9,7 +9,7 @@ import { beginLog, createTouchdownView, fillTouchdown } from '../../../src/predi
 import { logAt } from '../../../src/prediction/touchdown/touchdownRing';
 import { FALL, falling, TICK } from './rewinding';
 
-/** At each boundary from TICK + 1 on: whether the log kept there knows a touch (null: none kept), and whether there was one by then. */
+/** At each boundary from TICK + 1 on: whether the log kept there has a touch (null: none kept), and whether there was one by then. */
 function touches({ ring, track }: ReturnType<typeof falling>) {
   const card = createTouchdownView();
   let hasTouched = false;

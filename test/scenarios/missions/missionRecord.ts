@@ -11,7 +11,7 @@ import { valueOf } from '../../authority/moon';
 /** Seconds of the flight without a pilot that the record covers. */
 const FLOWN = 3;
 
-/** The data that a race link relies on: it carries only inputs, and is invalid if they lead to another flight or score. */
+/** The data that a race link relies on: the link has only inputs, and is invalid if they lead to another flight or score. */
 export interface MissionRecord {
   /** Longest flight that is scored, s. */
   readonly duration: number;

@@ -122,7 +122,7 @@ describe('a run', () => {
     const again = valueOf(flyRun(mission, valueOf(readRun(bytes, 100))));
     expect(again).toEqual(first);
     expect(bytes.length).toBeLessThan(40);
-    // Ten poses a second; the last one stands as the ship came to rest, and within the largest tilt.
+    // Ten poses a second; the last one is the ship at rest, and within the largest tilt.
     const [x, y, z, qx, qy, qz, qw] = first.track.slice(-7) as unknown as Pose;
     const top = [2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), qw * qw - qx * qx - qy * qy + qz * qz];
     const cosine = (top[0]! * x + top[1]! * y + top[2]! * z) / Math.hypot(x, y, z);

@@ -23,7 +23,7 @@ export interface CountedCanvas {
   readonly gpu: { isDone: boolean; isLost: boolean };
 }
 
-/** Constants by name: any that is not listed has a number of its own. */
+/** Constants by name: any that is not listed gets a new number. */
 function constants() {
   const numbers = new Map<string, number>();
   const names: string[] = [];

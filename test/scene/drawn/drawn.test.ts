@@ -125,7 +125,7 @@ it('answers before, during and after its first picture', () => {
   scene.draw({ ...view, own: null }, 1);
   expect(held['Program']).toBe(10);
 
-  // The first picture is complete when the GPU says so.
+  // The first picture is complete once the GPU has passed the fence.
   expect([scene.hasDrawn(), held['Sync']]).toEqual([false, 1]);
   gpu.isDone = true;
   expect([scene.hasDrawn(), scene.hasDrawn(), held['Sync']]).toEqual([true, true, 0]);

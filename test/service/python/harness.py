@@ -67,7 +67,7 @@ class RedisServer:
 
 
 class Program:
-    """A program of the service in a process of its own, with its output in a file.
+    """A program of the service in a separate process, with its output in a file.
 
     A fork of this process: to start Python and to import the Redis client anew costs more than most tests. By their commands the
     programs are started in record_landing.py, by the gateway's tests and by package.long.test.ts.

@@ -25,7 +25,7 @@ DEFINITION = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read
 
 
 class Stored(unittest.TestCase):
-    """A world of two ships, one under the autopilot and one with an input that waits, as it lies in Redis."""
+    """A world of two ships, one under the autopilot and one with a waiting input, as stored in Redis."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -58,7 +58,7 @@ class Stored(unittest.TestCase):
         pipe.execute()
 
     def load(self, what: str) -> str:
-        """What is refused: all of it, or a part by which the world was none the worse. '' where nothing is."""
+        """The refusal, of all of it or of a part without effect on the rest; '' for none."""
         service = Service(self.client, DEFINITION)
         try:
             galaxy = service.load()

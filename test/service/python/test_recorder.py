@@ -21,7 +21,7 @@ class Recorder(unittest.TestCase):
         return program
 
     def refused(self, redis: RedisServer, *options: str) -> str:
-        """What it says, where it fails."""
+        """The message with which it fails."""
         program = self.start(redis, *options)
         self.assertEqual(program.wait(), 1)
         return program.words()

@@ -111,7 +111,7 @@ function findLowest(out: GroundedPose, pose: GroundPose, hull: Hull, ground: Dra
 
 /**
  * The clearance, m, at which a flying ship is drawn that is predicted above ground `offset` m higher than drawn: its own
- * high up, and 0 at touchdown, so that it meets the drawn ground without a pop.
+ * high up, and 0 at touchdown, so that the ship reaches the drawn ground without a jump.
  * @param clearance of its lowest point above the drawn ground, m
  * @param height of the centre of mass above its height at contact with the drawn ground, m
  */

@@ -20,7 +20,7 @@ export function uprights(sim: Simulation, event: number): boolean {
 
 /**
  * Eases a jump of the dynamics: an aligned touchdown turns the ship upright in one substep. The offset takes up the difference to
- * the attitude its spin would have led to, so that the drawn ship turns smoothly. Not counted as a correction.
+ * the attitude that its spin would have led to, so that the drawn ship turns smoothly. Not counted as a correction.
  */
 export function easeUprighting(sim: Simulation, track: Track, step: RowStep): void {
   if (!uprights(sim, step.event)) return;

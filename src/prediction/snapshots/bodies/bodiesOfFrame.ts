@@ -49,7 +49,7 @@ export function writeBodiesOfFrame(
   out.turned = Math.max(error.attitude, error.spin);
 }
 
-/** Whether the frame says where the bodies are, if that was unknown. */
+/** Whether the frame has the places of the bodies, if they were unknown. */
 function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void {
   if (sim.bodiesKnown) return;
   const isPlaced = sim.features.records?.isPlaced ?? (() => true);

@@ -19,7 +19,7 @@ import {
 import type { Surface } from '../../surface';
 
 /**
- * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans little enough, then rate damping alone until
+ * Simulates a tipped ship ahead, flown by the hint: the righting keys held until it leans little enough, then rate damping alone until
  * it has landed. Without damping the swing that lifts a ship usually carries it over to its other side. A first run finds how fast the ship
  * passes its point of no return: the hand lets go after the eye has seen the angle, so the angle to let go at is larger by the turn in that
  * time. The second run lets go there.

@@ -26,7 +26,7 @@ def place_of(position: Vec3, mu: float) -> Place:
 
 
 def penetration_of(ship: Ship, world: World, axes: Mat3, place: Place) -> float:
-    """m, positive below the surface; `axes`: how the body lies."""
+    """m, positive below the surface; `axes`: the body's orientation."""
     body = ship.body
     nx, ny, nz, distance, _ = place
     a, b, c, d, e, f, g, h, i = axes

@@ -15,7 +15,7 @@ KEY = "touchdown:lease"
 # PTTL of a key without expiry.
 NEVER = -1
 
-# Renews the lease if this service holds it or nobody does. A commit detects whether another service wrote meanwhile.
+# Renews the lease if this service holds it or no service does. A commit detects whether another service wrote meanwhile.
 RENEW = """
 local holder = redis.call('GET', KEYS[1])
 if holder and holder ~= ARGV[1] then return 0 end

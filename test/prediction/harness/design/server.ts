@@ -2,7 +2,7 @@ import type { Controls, TerrainHeight } from '../../../../src/index';
 import { type DesignBody, type DesignShip, updateShip } from './law';
 import { minus, plus, times, type Turn, turnOn, type Vec } from './vectors';
 
-/** What a server says of its bodies: all, no attitude and no spin, or nothing. */
+/** What a server sends of its bodies: all, no attitude and no spin, or nothing. */
 export type SendsBodies = 'all' | 'turnless' | 'none';
 
 export interface ServerOptions {

@@ -58,10 +58,14 @@ function createKeyedText(element: HTMLElement): (text: string) => void {
   };
 }
 
+/** No line begins with the dot or comma after a key. */
 function appendKeyed(host: HTMLElement, text: string): void {
-  for (const [i, words] of text.split(/[{}]/).entries()) {
-    if (words === '') continue;
-    if (i % 2 === 1) append(host, 'kbd', '', words);
-    else host.append(words);
+  for (const [, key, mark, words] of text.matchAll(/(?:\{([^}]+)\}([.,:]?))?([^{]*)/g)) {
+    if (key !== undefined) {
+      const unbroken = append(host, 'span', 'unbroken');
+      append(unbroken, 'kbd', '', key);
+      unbroken.append(mark!);
+    }
+    host.append(words!);
   }
 }

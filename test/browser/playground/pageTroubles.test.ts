@@ -68,8 +68,13 @@ describeInBrowser('the built page, when something is wrong', () => {
   it('names the server that cannot be reached', async () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', ON_INSTRUMENTS);
     await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');
-    // Displays without numbers are not shown.
+    // Displays without numbers are not shown, and what only the built-in server does looks disabled.
     expect(await panelsOn(page)).toEqual(['panel']);
+    const opacityOf = (name: string) =>
+      page
+        .getByRole('button', { name, exact: true })
+        .evaluate((button) => Number(getComputedStyle(button).opacity));
+    expect([await opacityOf('Restart'), await opacityOf('Keys')]).toEqual([0.5, 1]);
   });
 
   it('reports that the built-in server cannot be started, and what to do', async () => {

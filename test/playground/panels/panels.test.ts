@@ -90,6 +90,16 @@ it('the goal has keys in its words, and breaks lines between its parts', () => {
   goal.how('You fly: {F} more, {V} less.');
   expect([...how.children].map(({ textContent }) => textContent)).toEqual(['You fly: F more,', 'V less.']);
   expect(how.textContent).toBe('You fly: F more, V less.');
+  // Nor does a dot begin one.
+  goal.how('Left with {Push left}. Stop.');
+  expect(one(how, 'unbroken').textContent).toBe('Push left.');
+  expect(how.textContent).toBe('Left with Push left. Stop.');
+  const skipped: string[] = [];
+  goal.offerSkip(() => skipped.push('skipped'));
+  expect(shownText(one(root, 'goal-title'))).toBe('Hover Skip');
+  click(one(root, 'button'));
+  goal.offerSkip(null);
+  expect([skipped, shownText(one(root, 'goal-title'))]).toEqual([['skipped'], 'Hover']);
   goal.advise('More thrust');
   expect(shownText(one(root, 'goal-advice'))).toBe('More thrust');
   goal.advise('');

@@ -69,10 +69,21 @@ const LATER: Readonly<Record<Device, string>> = {
     'Left stick tilts, right stick pushes · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
   thumbs: 'Tilt, Push and Lift are under your thumbs · Engine is the lever · Upright levels the ship',
 };
-const FALLEN: Readonly<Record<Device, string>> = {
-  keys: 'Hold the key shown. Release it below the angle shown.',
-  gamepad: 'Hold the control shown. Release it below the angle shown.',
-  thumbs: 'Hold Tilt as the display says. Release it below the angle shown.',
+/** Lessons in other words than for keys, whose names are short. */
+const LESSON_TEXTS: Readonly<Record<string, Partial<Record<Device, string>>>> = {
+  'school-hover': { thumbs: 'Slide Engine until it reads the same as hover.' },
+  'school-translate': {
+    gamepad: 'The right stick pushes the ship. Push the other way to stop.',
+    thumbs: 'The Push stick moves the ship. Push the other way to stop.',
+  },
+  'school-land': { thumbs: 'Follow AIM with the Engine lever. {throttleCut} stops it at touchdown.' },
+  'school-right': {
+    gamepad: 'Hold the control shown. Release it below the angle shown.',
+    thumbs: 'Hold Tilt as the display says. Release it below the angle shown.',
+  },
+  'school-phobos': {
+    thumbs: 'Hold {translateZMinus} briefly, and {translateZPlus} before touchdown to slow down.',
+  },
 };
 
 /** How to fly a mission, in the words of the device, its controls in braces. */
@@ -82,14 +93,8 @@ export function howToFly(
   keyCap: (action: Action) => string,
 ): string {
   const name = mission?.scenario.name ?? '';
-  const text =
-    name === 'school-right'
-      ? FALLEN[device]
-      : mission !== null && mission.how !== ''
-        ? mission.how
-        : name === 'first-landing'
-          ? FIRST[device]
-          : LATER[device];
+  const lesson = LESSON_TEXTS[name]?.[device] ?? mission?.how ?? '';
+  const text = lesson !== '' ? lesson : (name === 'first-landing' ? FIRST : LATER)[device];
   return named(text, device, keyCap);
 }
 

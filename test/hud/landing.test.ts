@@ -129,6 +129,17 @@ describe('the tilt', () => {
       const label = at(angle, 94).map(near);
       expect(places(parts('td-mark-text')[i]!, 'transform'), `label at ${String(angle)}°`).toEqual(label);
     });
+    // On a steep slope the mark of no return comes near one of the others: two labels would overlap.
+    const labelled = (noReturn: number) => {
+      show({ tilt: { degrees: 3, ...ANGLES, noReturn } });
+      return parts('td-mark-text').map(shownText);
+    };
+    expect([11, 20, 70].map(labelled)).toEqual([
+      ['', '11°', '80°'],
+      ['5°', '20°', '80°'],
+      ['5°', '', '80°'],
+    ]);
+    show({ tilt: { degrees: 3, ...ANGLES } });
     const zones = parts('td-zone').slice(1);
     expect(zones.map((zone) => zone.getAttribute('class'))).toEqual(
       ['settled', 'leaning', 'toppling', 'tipped'].map((zone) => `td-zone td-zone-${zone}`),

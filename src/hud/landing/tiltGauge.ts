@@ -10,6 +10,8 @@ const RADIUS = 79;
 const DIAL_END = 96;
 /** Steps of a degree in which zones and marks move: less than their lines are wide. */
 const PER_DEGREE = 10;
+/** Degrees between two marks below which their labels would overlap. */
+const LABEL_WIDTH = 13;
 
 /** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */
 export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
@@ -57,13 +59,14 @@ function createScale(picture: Element): (tilt: Tilt) => void {
     paintZones[1]!(settle, leaning);
     paintZones[2]!(leaning, tipped);
     paintZones[3]!(tipped, DIAL_END);
-    paintSettle(settle);
-    paintNoReturn(noReturn);
-    paintTipped(tipped);
+    paintSettle(settle, Math.abs(noReturn - settle) > LABEL_WIDTH);
+    paintNoReturn(noReturn, Math.abs(tipped - noReturn) > LABEL_WIDTH);
+    paintTipped(tipped, true);
   };
 }
 
-function createMark(picture: Element): (angle: number) => void {
+/** A mark and its angle; where marks are close only one is labelled. */
+function createMark(picture: Element): (angle: number, isLabelled: boolean) => void {
   const line = appendSvg(picture, 'path', { class: 'td-mark' });
   const label = appendSvg(picture, 'text', { class: 'td-mark-text' });
   const paintLine = showFigures(
@@ -79,13 +82,13 @@ function createMark(picture: Element): (angle: number) => void {
     (angle) => `translate(${point(angle, RADIUS + 15)})`,
   );
   let shown = NaN;
-  return (angle) => {
+  return (angle, isLabelled) => {
     paintLine(angle);
     paintPlace(angle);
-    const whole = Math.round(angle);
+    const whole = isLabelled ? Math.round(angle) : -1;
     if (whole === shown) return;
     shown = whole;
-    label.textContent = `${String(whole)}°`;
+    label.textContent = isLabelled ? `${String(whole)}°` : '';
   };
 }
 

@@ -17,7 +17,7 @@ function panelsOn(page: Page): Promise<string[]> {
 /** Options of a page for which the matching files never arrive. */
 function without(files: RegExp): PageOptions {
   const prepare = (page: Page) => page.context().route(files, (route) => route.abort());
-  return { ...SMALL, prepare };
+  return { ...ON_INSTRUMENTS, prepare };
 }
 
 /** Keeps everything that the banner shows, in order; runs before the page's own scripts. */

@@ -115,9 +115,9 @@ function inUnit({ unit }: Bound): string {
 
 /** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. Converts 64-bit integers of the codec. */
 export function integerIn(r: Reading, from: Fields, name: string, low: number, high: number): number {
-  const value = wholeNumber(plainNumber(r, valueIn(r, from, name)) ?? 0);
+  const value = wholeNumber(r, plainNumber(r, valueIn(r, from, name)) ?? 0) as number;
   if (Number.isSafeInteger(value) && value >= low && value <= high) return value;
-  refuse(r, name, `expected a whole number from ${low} to ${high}, got ${value}`);
+  refuse(r, name, `expected a whole number from ${low} to ${high}, got ${describe(value)}`);
   return low;
 }
 
@@ -202,10 +202,10 @@ function zeroOf(r: Reading): number | undefined {
   return r.source === 'protobuf' ? 0 : undefined;
 }
 
-/** The double nearest to a number or to the codec's unsigned 64-bit integer; NaN for anything else. */
-function wholeNumber(value: unknown): number {
-  if (typeof value === 'number') return value;
+/** The double nearest to the codec's unsigned 64-bit integer; anything else unchanged. */
+function wholeNumber(r: Reading, value: unknown): unknown {
+  if (r.source === 'json') return value;
   const { high, low } = Object(value) as { readonly high?: unknown; readonly low?: unknown };
-  if (typeof high !== 'number' || typeof low !== 'number') return NaN;
+  if (typeof high !== 'number' || typeof low !== 'number') return value;
   return (high >>> 0) * 4294967296 + (low >>> 0);
 }

@@ -64,11 +64,13 @@ it('are zero for panels that are hidden, beside the middle or below the picture'
   expect(covered({ ...WIDE, goal: aside }, 'static')).toEqual({ top: 0, bottom: 0 });
 });
 
-it('reach the scene whenever a panel changes its size', () => {
+it('reach the scene, and the cards above them, whenever a panel changes its size', () => {
   const changed: (() => void)[] = [];
   const told: number[][] = [];
+  const below: string[][] = [];
+  const top = { style: { setProperty: (...set: string[]) => below.push(set) } } as unknown as HTMLElement;
   const sceneView = { setMargins: (...margins: number[]) => told.push(margins) } as unknown as SceneView;
-  const parts: Record<string, HTMLElement> = { ...WIDE };
+  const parts: Record<string, HTMLElement> = { ...WIDE, top };
   watchMargins(windowWith('absolute', changed), (id) => parts[id]!, sceneView);
   changed[0]!();
   parts['foot'] = box([344, 310, 960, 708]);
@@ -76,5 +78,9 @@ it('reach the scene whenever a panel changes its size', () => {
   expect(told).toEqual([
     [110, 210],
     [110, 410],
+  ]);
+  expect(below).toEqual([
+    ['--below', '210px'],
+    ['--below', '410px'],
   ]);
 });

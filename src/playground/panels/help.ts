@@ -37,6 +37,7 @@ export function createHelp(
   dialog.setAttribute('aria-labelledby', 'help-title');
   const title = append(dialog, 'h2', '', 'Keys');
   title.id = 'help-title';
+  // The dialog focuses it, as the first that can be: a button at the end would scroll a small screen there.
   title.tabIndex = -1;
   append(dialog, 'p', 'quiet', INTRODUCTION);
   const off = append(dialog, 'label', 'row');
@@ -46,7 +47,10 @@ export function createHelp(
   const paintKeys = appendKeys(dialog, context);
   appendGamepad(dialog);
   const buttons = append(dialog, 'div', 'row');
-  appendButton(buttons, 'Restore defaults', () => change(defaultKeys()));
+  appendButton(buttons, 'Restore defaults', () => {
+    change(defaultKeys());
+    paint();
+  });
   appendButton(buttons, 'Close', () => dialog.close());
   appendLicences(append(dialog, 'p', 'quiet'));
   const paint = () => {
@@ -57,13 +61,11 @@ export function createHelp(
     change({ ...settings(), enabled: box.checked });
     paint();
   });
-  buttons.addEventListener('click', paint);
   return {
     open() {
       paint();
       if (!dialog.open) dialog.showModal();
-      // Focus at the top: a button at the end would scroll a small screen there.
-      title.focus();
+      // At its beginning, wherever it was left.
       dialog.scrollTop = 0;
     },
   };

@@ -1,9 +1,11 @@
 /** Additions to the goal's text: how to skip a lesson, and the remaining time. */
 import { describe, expect, it } from 'vitest';
+import type { VerifiedRun } from '../../../../src/playground/game/mission/bestRuns';
 import { createMissionGame, type MissionContext } from '../../../../src/playground/game/mission/missionGame';
 import type { Action } from '../../../../src/playground/input/keyTable';
 import type { Device } from '../../../../src/playground/game/texts/flightTexts';
 import type { CardText } from '../../../../src/playground/panels/missionCard';
+import { findMission } from '../../../../src/scenarios';
 import { makeView } from '../../../readout/views';
 
 function createGame(scenario: string, runs: object = { isKept: () => false }, server = '') {
@@ -17,10 +19,11 @@ function createGame(scenario: string, runs: object = { isKept: () => false }, se
     card: null as CardText | null,
     chosen: '',
     skip: null as (() => void) | null,
+    scenario,
   };
   const nothing = () => undefined;
   const game = createMissionGame({
-    choices: () => ({ scenario, server }),
+    choices: () => ({ scenario: shown.scenario, server }),
     device: () => shown.device,
     cap: (action: Action) => (action === 'modeUpright' ? 'N' : ''),
     resetCamera: nothing,
@@ -54,6 +57,22 @@ describe('a best run', () => {
     await Promise.resolve();
     expect([other.shown.flash, other.game.ghost.run()]).toEqual(['', null]);
   });
+});
+
+it('a friend’s run flies beside the pilot in each flight of its mission, in no other', () => {
+  const { game, shown } = createGame('sidestep');
+  const run = { mission: findMission('relay')!, outcome: { track: new Float64Array(0) } } as VerifiedRun;
+  const begun = (scenario: string) => {
+    shown.scenario = scenario;
+    game.begin();
+    return game.ghost.run();
+  };
+  game.race(run);
+  expect(game.ghost.run()).toBeNull();
+  expect(['relay', 'relay', 'sidestep', 'relay'].map(begun)).toEqual([run, run, null, run]);
+  const second = { ...run };
+  game.race(second);
+  expect(game.ghost.run()).toBe(second);
 });
 
 describe('in a world of another page or server', () => {

@@ -151,7 +151,11 @@ describe('a mission flown by a pilot who sees only the displays', () => {
     const attitude = turned.clone().multiply(new Quaternion(...between.slice(3, 7)).normalize());
     expect(attitude.angleTo(new Quaternion(...ship.meshAttitude))).toBeLessThan(1e-6);
     expect(Math.hypot(...ship.meshAttitude)).toBeCloseTo(1, 12);
-    expect([ship.name, ship.own]).toEqual(['Your best', false]);
+    expect([ship.name, ship.own, ship.body]).toEqual(['Your best', false, view.own.body]);
+    // A server may list its bodies in another order.
+    const [first, second] = view.bodies;
+    const swapped = { ...view, bodies: [second!, first!], own: { ...view.own, body: 1 - view.own.body } };
+    expect(racer.join(swapped).ships.at(-1)!.body).toBe(swapped.own.body);
     racer.race(null);
     expect(racer.join(view)).toBe(view);
   });

@@ -16,7 +16,7 @@ export function knowsGround(row: Float64Array, bodies: Float64Array, world: Worl
     place[1]! / distance,
     place[2]! / distance,
   );
-  return typeof height === 'number' && Number.isFinite(height);
+  return Number.isFinite(height);
 }
 
 /** The world with its ground out of reach of flying ships. */

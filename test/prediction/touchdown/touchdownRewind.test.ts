@@ -59,9 +59,11 @@ describe('a state in flight where the ground was predicted', () => {
     expect(card).toMatchObject({ known: true, verticalSpeed: 3, bounces: 0, state: FLYING });
   });
 
-  it('falling, in flight a tick ago: it has not touched', () => {
-    const card = cardWhere(logOf(CONTACT, 3), inState(FLYING, 0, -0.5), logOf(FLYING));
-    expect(card).toMatchObject({ known: false, state: FLYING });
+  it('not rising, in flight a tick ago: it has not touched', () => {
+    for (const climb of [-0.5, 0]) {
+      const card = cardWhere(logOf(CONTACT, 3), inState(FLYING, 0, climb), logOf(FLYING));
+      expect(card).toMatchObject({ known: false, state: FLYING });
+    }
   });
 
   it('falling, on the ground a tick ago or of an unknown past: it has left', () => {

@@ -39,6 +39,22 @@ it.each([null, undefined, 'text', new ArrayBuffer(2), { data: [18] }, [18, 0]])(
   },
 );
 
+it.each([
+  ['text', 'a string: JSON goes to decodeFrameJson'],
+  [new ArrayBuffer(2), 'an ArrayBuffer: pass new Uint8Array(buffer)'],
+  [new Blob(['x']), 'a Blob: set socket.binaryType to "arraybuffer"'],
+  [Promise.resolve(), 'a Promise: await it first'],
+  [{ data: [18] }, 'an object: bytes are in the .data of an event'],
+  [new Event('message'), 'an object: bytes are in the .data of an event'],
+  [[18, 0], 'Array'],
+  [null, 'Null'],
+])('says what %s is, and what to do', (value, help) => {
+  expect(pendingServerMessage(value as never).decode()).toEqual({
+    ok: false,
+    reason: `message: expected bytes in a Uint8Array, got ${help}`,
+  });
+});
+
 it('decodes the whole message, and distinguishes a frame from other messages', () => {
   for (const message of [FRAME, HELLO]) {
     const pending = pendingServerMessage(encodeServerMessage(message));

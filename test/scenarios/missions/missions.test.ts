@@ -13,6 +13,8 @@ import {
   type RunOutcome,
   SCENARIOS,
   scoreRun,
+  TRACK_RATE,
+  TRACK_STRIDE,
   loadScenario,
   writeRun,
 } from '../../../src/scenarios';
@@ -122,6 +124,7 @@ describe('a run', () => {
     const again = valueOf(flyRun(mission, valueOf(readRun(bytes, 100))));
     expect(again).toEqual(first);
     expect(bytes.length).toBeLessThan(40);
+    expect(Math.abs(first.track.length / TRACK_STRIDE - first.seconds * TRACK_RATE)).toBeLessThan(2);
     // Ten poses a second; the last one is the ship at rest, and within the largest tilt.
     const [x, y, z, qx, qy, qz, qw] = first.track.slice(-7) as unknown as Pose;
     const top = [2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), qw * qw - qx * qx - qy * qy + qz * qz];

@@ -131,3 +131,11 @@ it.each([
 ])('reads the game time %j', (sent, seconds) => {
   expect(accepted({ tick: 0, ships: [], game_time: sent }).gameTime).toBe(seconds);
 });
+
+it('reads game times of any year as the calendar has them', () => {
+  for (const year of [1, 399, 400, 401, 1599, 1600, 1900, 2000, 2399, 2400, 9999])
+    for (const day of ['01-01', '02-28', '03-01', '12-31']) {
+      const sent = `${String(year).padStart(4, '0')}-${day}T00:00:00Z`;
+      expect(accepted({ tick: 0, ships: [], game_time: sent }).gameTime, sent).toBe(Date.parse(sent) / 1000);
+    }
+});

@@ -170,7 +170,7 @@ function chooseHelp(out: Righting, surface: Surface, ship: ShipView): void {
     lift = part;
     out.helpAction = TRANSLATION_ACTIONS[k]![surface.normalInShip[k]! > 0 ? 0 : 1];
   }
-  if (lift > 0 && out.torqueAvailable > (surface.weight - lift) * h) {
+  if (out.torqueAvailable > (surface.weight - lift) * h) {
     out.help = 'translation';
     return;
   }

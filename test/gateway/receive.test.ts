@@ -1,10 +1,11 @@
 import fc from 'fast-check';
-import { expect, it } from 'vitest';
+import { expect, it, onTestFinished, vi } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
-import { createClient } from '../../src/gateway/clients/client';
+import { createClient, disconnect } from '../../src/gateway/clients/client';
 import { receive } from '../../src/gateway/clients/receive';
 import { readText } from '../../src/gateway/clients/messages';
 import type { GatewayState } from '../../src/gateway/state';
+import { createFakeGateway } from './fakeGateway';
 
 const SECRET = 'a secret that is long enough for a test';
 
@@ -136,4 +137,19 @@ it('tolerates one unknown message every 2 s, as a game client may send', async (
   for (let i = 0; i < 300; i++) send({ type: 'service' });
   expect(sent.at(-1)).toBe('closed 4008');
   dispose();
+});
+
+it('a connection whose client does not close it within 2 s is cut', () => {
+  vi.useFakeTimers();
+  onTestFinished(() => void vi.useRealTimers());
+  const { connect } = createFakeGateway();
+  const cut: string[] = [];
+  const [hung, quick] = [connect('json'), connect('json')];
+  Object.assign(hung.socket, { once: () => undefined, terminate: () => cut.push('hung') });
+  Object.assign(quick.socket, { terminate: () => cut.push('quick') });
+  for (const { client } of [hung, quick]) disconnect(client, 4001, 'away');
+  vi.advanceTimersByTime(1999);
+  expect(cut).toEqual([]);
+  vi.advanceTimersByTime(1);
+  expect(cut).toEqual(['hung']);
 });

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { SHIP_STRIDE } from '../../../src/dynamics';
-import { keep } from '../../../src/prediction/simulation/rings/history';
-import type { Track } from '../../../src/prediction/simulation/track';
-import { reconcileStates } from '../../../src/prediction/snapshots/reconcile/reconcileStates';
-import { frameAt } from '../faults/restingShip';
-import { RATE, sessionAt, shipAt } from './sessionAt';
+import { SHIP_STRIDE } from '../../../../src/dynamics';
+import { keep } from '../../../../src/prediction/simulation/rings/history';
+import type { Track } from '../../../../src/prediction/simulation/track';
+import { reconcileStates } from '../../../../src/prediction/snapshots/reconcile/reconcileStates';
+import { frameAt } from '../../faults/restingShip';
+import { RATE, sessionAt, shipAt } from '../../decisions/sessionAt';
 
 const TICK = 100;
 

@@ -92,8 +92,9 @@ interface Field {
   readonly read: (text: string) => unknown;
 }
 
-const oneOf = (names: readonly string[]) => ({
-  expects: `one of ${names.filter((name) => name !== '').join(', ')}`,
+/** @param expects for a list too long for the banner */
+const oneOf = (names: readonly string[], expects?: string) => ({
+  expects: expects ?? `one of ${names.filter((name) => name !== '').join(', ')}`,
   read: (text: string) => (names.includes(text) ? text : undefined),
 });
 const between = (low: number, high: number) => ({
@@ -130,7 +131,11 @@ export const SCENARIO_NAMES: readonly string[] = [
 
 /** The list of everything that a link may contain. */
 const FIELDS: readonly Field[] = [
-  { name: 'scenario', key: 'scenario', ...oneOf(SCENARIO_NAMES) },
+  {
+    name: 'scenario',
+    key: 'scenario',
+    ...oneOf(SCENARIO_NAMES, 'the name of a mission, a lesson or a scenario'),
+  },
   { name: 'body', key: 'body', ...oneOf(names(BODIES)) },
   { name: 'shipClass', key: 'ship', ...oneOf(names(SHIP_CLASSES)) },
   { name: 'terrain', key: 'terrain', ...oneOf(['', ...Object.keys(TERRAINS)]) },

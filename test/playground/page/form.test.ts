@@ -191,7 +191,9 @@ describe('the form', () => {
     expect((await openPage('?seed=0.5')).text('notice')).toContain('got “0.5”');
     const page = await openPage('?scenario=nowhere&seed=-1');
     expect(page.text('notice')).toContain('Some values in this link are invalid and were ignored.');
-    expect(page.text('notice')).toContain('scenario: expected one of first-landing, ');
+    expect(page.text('notice')).toContain(
+      'scenario: expected the name of a mission, a lesson or a scenario, got ',
+    );
     expect(page.text('notice')).toContain('seed: expected a whole number from 0 to 4294967295, got “-1”');
     page.play(1);
     page.choose('Mission', 'settle');

@@ -96,6 +96,8 @@ describeInBrowser('on the built page', () => {
     await axis(page, 0, 0);
     await button(page, Y, 1);
     await button(page, Y, 0);
+    await page.locator('summary', { hasText: 'Workshop' }).click();
+    await page.getByLabel('Speed').selectOption('4');
     await untilPhase(page, 'done');
     await button(page, A, 1);
     await page.waitForFunction(() => location.search.includes('scenario=sidestep'));

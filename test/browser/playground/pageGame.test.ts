@@ -5,7 +5,7 @@ import { FLUENT, untilPhase } from '../waits';
 
 describeInBrowser('the game on the built page', () => {
   it('names the goal and the keys, lands, and shows the score and the next mission', async () => {
-    const page = await openBuiltPage('', FLUENT);
+    const page = await openBuiltPage('?slow=4', FLUENT);
     await page.waitForSelector('html[data-ready=true]');
     const goal = await page.textContent('#goal');
     expect(goal).toContain('Land by the beacon, softer than 2 m/s.');

@@ -47,16 +47,16 @@ describeInBrowser('a run on the built page', () => {
     await untilTiltBelow(page, Number(letGo));
     for (const key of keys) await page.keyboard.up(key);
     await page.keyboard.press('t');
-    await page.getByLabel('Speed').selectOption('1');
+    await page.getByLabel('Speed').selectOption('4');
     await untilTiltBelow(page, 15);
     await untilStatus(page, 'landed');
     expect(problemsOf(page)).toEqual([]);
   });
 
   it('shares a link that ends in the same bits', async () => {
-    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.6', ON_INSTRUMENTS);
+    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=1.6', ON_INSTRUMENTS);
     // No speed of the list.
-    expect(await page.getByLabel('Speed').evaluate((list: HTMLSelectElement) => list.value)).toBe('0.6');
+    expect(await page.getByLabel('Speed').evaluate((list: HTMLSelectElement) => list.value)).toBe('1.6');
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await page.getByRole('button', { name: 'Copy link' }).click();
     let link = '';
@@ -64,14 +64,14 @@ describeInBrowser('a run on the built page', () => {
     await expect
       .poll(async () => (link = await page.evaluate(() => navigator.clipboard.readText())))
       .toContain('net=fourG');
-    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=0.6');
+    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=1.6');
     const again = await openUrl(link, ON_INSTRUMENTS);
     const [run, shared] = await Promise.all([endOfRun(page, 8), endOfRun(again, 8)]);
     expect(shared).toBe(run);
   });
 
   it('shares a scenario with planned inputs: the same bits on a slow display too', async () => {
-    const query = '?scenario=freighter-hold&net=satellite&seed=3';
+    const query = '?scenario=freighter-hold&net=satellite&seed=3&slow=2';
     const pages = await Promise.all(
       [FLUENT, SLOW].map((display) => openBuiltPage(query, { ...display, hasWebGL: false })),
     );

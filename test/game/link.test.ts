@@ -106,6 +106,13 @@ describe('a link', () => {
     );
   });
 
+  it('reconnects after a failure, and after a refusal of a link that was live', () => {
+    expect(words(play().state, 0)).toBe('Connecting to wss://game.example/ws…');
+    const again = 'Reconnecting to wss://game.example/ws…';
+    expect(words(play([0.1, closed(1006)], [9, TIME]).state, 9)).toBe(again);
+    expect(words(play(...LIVE, [5, closed(4001)], [6, { kind: 'retry' }]).state, 6)).toBe(again);
+  });
+
   it('reports that it is back until the first state', () => {
     const lost = play(...LIVE, [5, closed(1006)]);
     expect(words(lost.state, 5)).toBe(

@@ -35,8 +35,6 @@ export interface LoopbackLink {
 }
 
 export interface LoopbackCounters {
-  framesSent: number;
-  bytesSent: number;
   /** Client messages that the wire or the authority refused. */
   refused: number;
   /** The reason of the last refusal. */
@@ -74,7 +72,7 @@ export function createLoopbackLink(
   const state: LinkState = {
     authority,
     loop: startLoop(authority, now),
-    counters: { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' },
+    counters: { refused: 0, lastRefusal: '' },
     seed,
     connections: new Map(),
     numbers: network,
@@ -143,22 +141,18 @@ function openLink(state: LinkState, numbers: NetworkNumbers): Link {
 function welcome(state: LinkState, connection: Connection, at: number): string | null {
   const hello = state.authority.join(connection.playerId, connection.shipId);
   if (!hello.ok) return hello.reason;
-  if (hello.value !== null) sendDown(state, connection, hello.value, at);
+  if (hello.value !== null) sendDown(connection, hello.value, at);
   sendFrame(state, connection, at);
   return null;
 }
 
-function sendDown({ counters }: LinkState, { down }: Connection, message: ServerMessage, at: number): void {
-  const bytes = encodeServerMessage(message);
-  counters.bytesSent += bytes.length;
-  down.send(bytes, at);
+function sendDown({ down }: Connection, message: ServerMessage, at: number): void {
+  down.send(encodeServerMessage(message), at);
 }
 
-function sendFrame(state: LinkState, connection: Connection, at: number): void {
-  const frame = state.authority.frameFor(connection.playerId);
-  if (frame === null) return;
-  state.counters.framesSent += 1;
-  sendDown(state, connection, frame, at);
+function sendFrame({ authority }: LinkState, connection: Connection, at: number): void {
+  const frame = authority.frameFor(connection.playerId);
+  if (frame !== null) sendDown(connection, frame, at);
 }
 
 function sendFrames(state: LinkState, at: number): void {
@@ -187,7 +181,7 @@ function receive(state: LinkState, connection: Connection, { bytes }: Delivery, 
   if (!answer.ok) {
     counters.refused += 1;
     counters.lastRefusal = answer.reason;
-  } else if (answer.value !== null) sendDown(state, connection, answer.value, at);
+  } else if (answer.value !== null) sendDown(connection, answer.value, at);
 }
 
 /** The connection whose message reaches the server first, and when. */

@@ -65,11 +65,9 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       if (now - sampledAt < 1 / RATE && now >= sampledAt) return controls;
       const delay = age + sinceOf(sampledAt, now) / 2;
       sampledAt = now;
+      const below = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay };
       const place = target();
-      const site = {
-        ...{ body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay },
-        ...(place !== null && { target: place }),
-      };
+      const site = place === null ? below : { ...below, target: place };
       const state = stateOf(ship, body.name);
       const braking = state.surfaceContactState === '' ? brakeDrift(isBraking, state, site) : null;
       const burn = braking?.ok === true ? braking.value : null;

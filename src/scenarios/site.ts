@@ -11,6 +11,7 @@ import {
   type TerrainHeight,
   type Vec3,
 } from '../dynamics';
+import { minus } from './vectors';
 
 /** A place on a body, degrees: latitude from the equator toward the pole (body Y), longitude from the prime meridian (Z) toward X. */
 export interface Site {
@@ -119,8 +120,4 @@ function surfaceReach(shipClass: ShipClass, { body, site, terrainHeight }: Groun
 function rotationAbout([x, y, z]: Vec3, degrees: number): Quat {
   const s = sineOfDegrees(degrees / 2);
   return [x * s, y * s, z * s, cosineOfDegrees(degrees / 2)];
-}
-
-function minus(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }

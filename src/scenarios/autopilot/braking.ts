@@ -1,6 +1,7 @@
 import { type Controls, NEUTRAL_CONTROLS, ok, type Result, type Vec3 } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, type LandingSite } from './descent';
+import { dot } from '../vectors';
 
 /** m/s along the ground: the main engine brakes from the first down to the second; thrusters take a minute for as much. */
 const FAST = 8;
@@ -44,7 +45,7 @@ export function brakeDrift(isBraking: boolean, ship: ShipState, site: LandingSit
 /** Whether a ship that flies towards its target at `speed` along the ground would stop before it. */
 function canWait(speed: number, drift: Vec3, away: Vec3): boolean {
   const distance = Math.hypot(...away);
-  const towards = drift[0] * away[0] + drift[1] * away[1] + drift[2] * away[2];
+  const towards = dot(drift, away);
   const toStop = speed * TURNING + (speed * speed) / (2 * BRAKING);
   return distance > toStop && towards > ALIGNED * speed * distance;
 }

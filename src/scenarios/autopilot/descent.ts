@@ -11,6 +11,7 @@ import {
   type Vec3,
 } from '../../dynamics';
 import type { BodyState, ShipState } from '../../wire';
+import { dot, length, minus, scaled } from '../vectors';
 import { planTravel } from './travel';
 
 /** Where a ship lands. */
@@ -151,20 +152,4 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
 function share(force: number, most: number): number {
   if (!(most > 0)) return 0;
   return Math.max(-1, Math.min(1, force / most));
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-function length(a: Vec3): number {
-  return Math.sqrt(dot(a, a));
-}
-
-function minus(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-function scaled(a: Vec3, s: number): Vec3 {
-  return [a[0] * s, a[1] * s, a[2] * s];
 }

@@ -1,4 +1,5 @@
 import type { ShipClass, Vec3 } from '../../dynamics';
+import { minus, scaled } from '../vectors';
 
 /** m/s along the ground to a target, at most: the thrusters stop the ship from it in half a minute. */
 const CARRY_SPEED = 6;
@@ -40,7 +41,7 @@ export function planTravel({ drift, away }: Along, mass: number, { rcsThrust }: 
   const distance = Math.hypot(...away);
   const speed = Math.min(CARRY_SPEED, APPROACH_RATE * distance, Math.sqrt(acceleration * distance));
   const share = distance > 0 ? speed / distance : 0;
-  const error: Vec3 = [drift[0] - share * away[0], drift[1] - share * away[1], drift[2] - share * away[2]];
+  const error = minus(drift, scaled(away, share));
   const drifting = Math.hypot(...drift);
   const left = Math.max(distance - NEAR, 0) + DRIFT_SECONDS * Math.max(drifting - SLOW_DRIFT, 0);
   const most = CLEARANCE + TURNING_HEIGHT * Math.max(drifting - CARRY_SPEED, 0);
